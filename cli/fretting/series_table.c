@@ -135,7 +135,7 @@ static void read_criteria(const arguments *line, series_table *table)
     const header *names = &table->all.names;
     const bool has_strength =
         header_has_input(names, INPUT_K) || header_has_input(names, INPUT_YIELD_STRESS) ||
-        options->text[INPUT_K] != NULL || options->text[INPUT_YIELD_STRESS] != NULL;
+        input_is_given(options, INPUT_K) || input_is_given(options, INPUT_YIELD_STRESS);
     const contact_case any = {.E1 = 1, .nu1 = 0, .k = has_strength ? 1 : NAN};
     const material *given = material_of(line), known = series_constants(&table->all, given);
     criteria_read(line, &known, options, &table->all.asked);

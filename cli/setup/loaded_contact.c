@@ -53,7 +53,7 @@ static double read_input(const input_texts *texts, int input, double usual)
 {
     complaint why;
     double value = usual;
-    if (texts->text[input] != NULL && !input_read(texts, input, &value, &why))
+    if (input_is_given(texts, input) && !input_read(texts, input, &value, &why))
         usage_error("%s", why.text);
     return value;
 }

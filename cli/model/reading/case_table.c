@@ -87,6 +87,8 @@ bool case_table_solve(const case_table *table, const char *const row[], size_t c
         if (header_has_input(&table->names, i) && !input_is_given(&texts, i) &&
             !(i == INPUT_NU2 && is_rigid(&texts)))
             return complain(why, "%s: the cell is empty", input_kinds[i].column);
+    if (!header_texts_agree(&texts, &table->constants, why))
+        return false;
     const bool solved = case_read(&texts, CASE_OF_SOLVE, &setup, why) &&
                         results_compute(&setup, table->wanted, answer, why);
     rwedge_contact_destroy(setup.contact);

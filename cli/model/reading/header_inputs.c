@@ -156,12 +156,35 @@ input_texts header_texts(const header *names, const input_texts *constants,
                          const char *const text[INPUT_COUNT])
 {
     input_texts texts = *constants;
-    for (int i = 0; i < INPUT_COUNT; i++)
-        if (constants->text[i] == NULL) {
-            texts.text[i] = text[i];
-            texts.is_cell[i] = true;
-            if (header_has_input(names, i))
-                texts.cell_factor[i] = names->factor[names->column[i]];
-        }
+    for (int i = 0; i < INPUT_COUNT; i++) {
+        const bool has_column = header_has_input(names, i);
+        const int other = input_alternative(i);
+        const bool is_in_row = has_column || (other >= 0 && header_has_input(names, other));
+        if (constants->text[i] != NULL || (constants->has_number[i] && !is_in_row))
+            continue;
+        texts.text[i] = text[i];
+        texts.is_cell[i] = true;
+        texts.has_number[i] = false;
+        if (has_column)
+            texts.cell_factor[i] = names->factor[names->column[i]];
+    }
     return texts;
+}
+
+bool header_texts_agree(const input_texts *texts, const input_texts *constants, complaint *why)
+{
+    static const int elastic[] = {INPUT_E1, INPUT_NU1};
+    for (int i = 0; i < 2; i++) {
+        const int input = elastic[i];
+        double own;
+        if (!constants->has_number[input] || !texts->is_cell[input] ||
+            !input_is_given(texts, input))
+            continue;
+        if (!input_read(texts, input, &own, why))
+            return false;
+        if (own != constants->number[input])
+            return complain(why, "%s %.60s: the material has %g; allowed: one of the two",
+                            input_name(texts, input), texts->text[input], constants->number[input]);
+    }
+    return true;
 }

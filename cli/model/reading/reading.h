@@ -99,9 +99,12 @@ const char *header_hint(const char *const name[], size_t count);
 bool header_find(int first, int end, const input_texts *options, header *names, complaint *why);
 
 /* The inputs of a row: constants, and else the texts of its cells, NULL where an input has no
- * column. */
+ * column. A cell takes the place of the number that a material has. */
 input_texts header_texts(const header *names, const input_texts *constants,
                          const char *const text[INPUT_COUNT]);
+
+/* Whether E1 and nu1 of a row are those that a material of all rows has, where it has them. */
+bool header_texts_agree(const input_texts *texts, const input_texts *constants, complaint *why);
 
 /* What columns are called that say which row it is. bindings/interface/write_python.py reads this
  * line: Python's package warns by the same list. */

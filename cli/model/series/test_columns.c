@@ -88,7 +88,7 @@ static bool refuse_bare(const series *all, int input, int instead, complaint *wh
 
 static bool has_input(const series *all, int input)
 {
-    return header_has_input(&all->names, input) || all->constants.text[input] != NULL;
+    return header_has_input(&all->names, input) || input_is_given(&all->constants, input);
 }
 
 static bool gives_loads(const series *all, complaint *why)

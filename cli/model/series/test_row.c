@@ -241,7 +241,8 @@ bool test_read(const series *all, const char *const row[], size_t count, const t
     const input_texts texts = texts_of(all, row);
     reader r = {all, row, texts, to};
     r.texts.text[INPUT_P] = r.texts.text[INPUT_M] = NULL;
-    if (!refuse_gaps(&r, &texts, why) || !read_life(&r, why) || !read_constants(&r, why) ||
+    if (!refuse_gaps(&r, &texts, why) || !header_texts_agree(&texts, &all->constants, why) ||
+        !read_life(&r, why) || !read_constants(&r, why) ||
         !case_read(&r.texts, CASE_OF_HISTORY, &to->setup, why))
         return false;
     if (to->setup.status != RWEDGE_OK)

@@ -55,6 +55,21 @@ run solve -i plain.csv $fixed --format json --digits 4
 same "in JSON, the inputs are numbers" '{"note": "one, \"1\"", "P": 100, "a": 1, "A": 1.733e-05,' \
     "$(sed -n 2p out | cut -d ' ' -f 1-9)"
 
+# A cell stands for what a material has; E and nu of a row that are not the material's are an error of that row.
+echo '{"E": 210000, "nu": 0.3, "yield_stress": 400}' >steel.json
+printf 'E1,nu1,yield_stress\n210000,.3,300\n72000,.3,300\n210000,.33,300\n' >material.csv
+run solve -i material.csv --material steel.json --radius 50 --P 100 --Q 50 --f 0.75
+same "E and nu beside a material's" "E1 72000: the material has 210000; allowed: one of the two|nu1 .33: the material has 0.3; allowed: one of the two|" \
+    "$(column error out | sed 's/^-$//;/^$/d' | tr '\n' '|')"
+safety=$(column safety out | head -n 1)
+does solve --E1 210000 --nu1 0.3 --yield-stress 300 --radius 50 --P 100 --Q 50 --f 0.75 --layout row
+same "the yield stress of the row" "$(column safety out)" "$safety"
+printf 'k\n200\n' >strength.csv
+does solve -i strength.csv --material steel.json --radius 50 --P 100 --Q 50 --f 0.75
+safety=$(column safety out)
+does solve --E1 210000 --nu1 0.3 --k 200 --radius 50 --P 100 --Q 50 --f 0.75 --layout row
+same "k of the row, not the yield stress of the material" "$(column safety out)" "$safety"
+
 # Bad rows, each for its own reason; the others are as if alone. (What no input may be, bad_input.sh has.)
 cat >bad.csv <<'ROWS'
 id,E1,nu1,theta,a,P,Q,f,k

@@ -132,6 +132,9 @@ does fretting --input bad.csv $bodies --f 0.6
 message_has "bad.csv: 7 of 8 tests have an error: see the column error"
 same "an error each" "|life_tested run-out: must be a number above 0, or a run-out, as >1e7|P: the cell is empty|Q_max: the cell is empty, and so is that of sigma_max|Q 200: must not exceed f P = 180: there is no equilibrium|Q_max: given together with loads; allowed: one of the two|nowhere.csv: No such file or directory|5 cells in this row, 6 in the header" \
     "$(awk -F, 'NR > 1 { e = $0; sub(/^.*,,/, "", e); gsub(/^,|"/, "", e); print e }' out | sed 's/^Q 200\(.*\)/Q 200\1/' | awk '{ printf "%s%s", s, $0; s = "|" }' | sed 's/^[^|]*|/|/')"
+printf 'radius,E1,nu1,f,P,Q_max\n50,72000,.33,.6,300,100\n' >other.csv
+run fretting --input other.csv --material sae-1015-normalized
+same "another E than the material's" "E1 72000: the material has 206800; allowed: one of the two" "$(column error out)"
 printf 'test,R,P,Q,mu\n1,50,300,100,0.6\n' >lab.csv
 stops 1 "lab.csv: column 'R': allowed: radius, or another name if it is something else; --column radius='R' takes it" fretting --input lab.csv $bodies
 stops 1 "lab.csv: column Q: a test has Q_max, and the smallest where that is not its negative; --column Q_max=Q takes it" fretting --input lab.csv $bodies --column radius=R --column f=mu

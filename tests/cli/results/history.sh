@@ -191,5 +191,14 @@ refuses "--specimen-thickness thin: must be a number above 0, in the working uni
     history $steel --radius 60 --load 120,0 --specimen-thickness thin
 run history $steel --radius 60 --load 120,0 --load 120,30 --specimen-thickness '5000 um' --opposite --units mm,N,MPa
 same "with its unit" "$(cat opposite)" "$(cat out)"
+for command in "fretting --at 0,0" "crack --edge left --lengths 0.1"; do
+    # shellcheck disable=SC2086
+    run $command $steel --radius 60 --load 120,30 --load 120,-30 --specimen-thickness 5 --opposite --digits 8
+    cp out layer
+    message_has "a layer of 5.273 half-widths"
+    # shellcheck disable=SC2086
+    run $command $steel --radius "$R" --load 120,30 --load 120,-30 --digits 8
+    same "the same by $command" "$(cat layer)" "$(cat out)"
+done
 
 finish

@@ -1500,8 +1500,8 @@ RWEDGE_API int32_t rwedge_criterion_field(int32_t criterion, const double consta
  *   n              number of loads of the cycle, >= 1
  *   factor         receives one number
  * RWEDGE_EABSENT where no factor from 1e-30 to 1e30 has it, as where the value is 0; RWEDGE_EDOMAIN
- * where a constant is outside its range, and for measures of friction; RWEDGE_ERANGE for n = 0;
- * RWEDGE_ENULL; RWEDGE_ENOMEM. As exact as the criterion. */
+ * where a constant is outside its range, and for measures of friction; RWEDGE_ERANGE for
+ * n = 0; RWEDGE_ENULL; RWEDGE_ENOMEM. As exact as the criterion. */
 RWEDGE_API int32_t rwedge_criterion_factor(int32_t criterion, const double constants[],
                                            double limit, size_t n, const double sxx[],
                                            const double syy[], const double txy[], double nu,

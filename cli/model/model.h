@@ -35,6 +35,7 @@ typedef struct {
     double width;         /* of the contact out of the plane; NAN where it is not given */
     double section;       /* on which a tension acts that is given as a force; NAN */
     double K_length;      /* in metres, of the root in a bare stress intensity; NAN */
+    bool has_options;     /* complaints name those of the tool */
 } unit_system;
 extern const unit_system units_unknown;
 

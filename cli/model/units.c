@@ -315,9 +315,10 @@ typedef struct {
 static whole whole_of(const unit_system *units, unit_share of)
 {
     if (of == SHARE_OF_WIDTH)
-        return (whole){units->width, 2, "--width"};
+        return (whole){units->width, 2,
+                       units->has_options ? "--width" : "the width of the contact"};
     if (of == SHARE_OF_SECTION)
-        return (whole){units->section, 4, "--section"};
+        return (whole){units->section, 4, units->has_options ? "--section" : "the section"};
     return (whole){NAN, 0, ""};
 }
 

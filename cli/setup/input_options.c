@@ -102,6 +102,7 @@ const unit_system *units_of(const arguments *line)
         units.length = assumed.length;
         units.force = assumed.force;
     }
+    units.has_options = true;
     units.K_length = read_K_length(line);
     units.width = option_size(line, OPTION_WIDTH, "width", "length", &units);
     units.section = option_size(line, OPTION_SECTION, "section", "area", &units);

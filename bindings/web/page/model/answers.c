@@ -102,6 +102,8 @@ static bool write_inputs(const input_texts *texts, double value[INPUT_COUNT])
 {
     complaint why;
     char all[1000] = "";
+    for (int i = INPUT_P; i <= INPUT_SIGMA; i++)
+        json_add("{'shares':{%t:%n}}", input_kinds[i].column, field_share(i));
     for (int i = 0; i < INPUT_COUNT; i++) {
         value[i] = 0;
         if (!input_is_given(texts, i))

@@ -10,13 +10,6 @@
 
 /* ---- Written ---- */
 
-/* Of a force of the whole contact the width that it has been divided by; else 1. */
-static double width_of(int input)
-{
-    const double width = field_units()->width;
-    return input_kinds[input].of == SHARE_OF_WIDTH && !isnan(width) ? width : 1;
-}
-
 /* The number of an input, in the working units; "inf" of a rigid body. */
 static void write_input(const case_word *word, const input_texts *texts)
 {
@@ -27,7 +20,8 @@ static void write_input(const case_word *word, const input_texts *texts)
     if (isinf(value))
         json_add("{'case':{%t:{%t:'inf'}}}", word->group, word->name);
     else
-        json_add("{'case':{%t:{%t:%n}}}", word->group, word->name, value * width_of(word->input));
+        json_add("{'case':{%t:{%t:%n}}}", word->group, word->name,
+                 value * field_share(word->input));
 }
 
 /* The places as they were pasted, and how the profile is made of them. */
@@ -51,7 +45,7 @@ static void write_profile(void)
 }
 
 /* Of the case of the form, all but wrong inputs: its version and its groups, forces of the whole
- * contact where it has a width; and that. */
+ * contact where it has a width, or a section; and these. */
 EXPORTED const char *page_case(char *fields)
 {
     const input_texts texts = field_texts(fields);
@@ -62,7 +56,7 @@ EXPORTED const char *page_case(char *fields)
         if (case_word_of(i)->input < INPUT_COUNT)
             write_input(case_word_of(i), &texts);
     write_profile();
-    json_add("{'width':%n}", field_units()->width);
+    json_add("{'width':%n,'section':%n}", field_units()->width, field_units()->section);
     return json_end();
 }
 
@@ -112,7 +106,7 @@ EXPORTED const char *page_case_word(const char *group, const char *name, const c
     texts.text[word->input] = text;
     if (input_read(&texts, word->input, &value, &why))
         json_add("{'input':%t,'value':%n}", input_kinds[word->input].column,
-                 value * width_of(word->input));
+                 value * field_share(word->input));
     else
         json_refuse("", "%s", why.text);
     return json_end();

@@ -2,6 +2,7 @@
 #include "page.h"
 
 #include <math.h>
+#include <math.h>
 #include <string.h>
 
 static const char *remark = ""; /* on the profile */
@@ -11,8 +12,8 @@ static const char PROFILE_NAME[] = "pasted", BETWEEN[] = "\x1e";
 /* What the fields say of all of them. */
 static struct {
     unit_system units;
-    const char *width, *rows; /* of a profile */
-    char rows_sign;           /* their decimal sign; NUL where it is that of the others */
+    const char *width, *section, *rows; /* of a profile */
+    char rows_sign;                     /* their decimal sign; NUL where it is that of the others */
     profile_making making;
     bool is_of_pad; /* what k and the strength are of */
 } said;
@@ -28,15 +29,23 @@ static void take_profile(input_texts *texts)
     texts->text[INPUT_PROFILE] = PROFILE_NAME;
 }
 
-/* A total width that is none divides by nothing: its field says so. */
-static void take_width(char decimal_sign)
+/* What divides forces; a text that is none divides by nothing: its field says so. */
+static void take_size(const char *text, const char *dimension, char decimal_sign, double *to)
 {
     const char *own;
-    double factor, width;
+    double factor, size;
     complaint why;
-    if (said.width != NULL && quantity_read(said.width, decimal_sign, &width, &own) &&
-        units_factor(&said.units, own, "length", SHARE_NONE, &factor, &why) && width * factor > 0)
-        said.units.width = width * factor;
+    if (text != NULL && quantity_read(text, decimal_sign, &size, &own) &&
+        units_factor(&said.units, own, dimension, SHARE_NONE, &factor, &why) && size * factor > 0)
+        *to = size * factor;
+}
+
+double field_share(int input)
+{
+    const double size = input_kinds[input].of == SHARE_OF_WIDTH     ? said.units.width
+                        : input_kinds[input].of == SHARE_OF_SECTION ? said.units.section
+                                                                    : NAN;
+    return isnan(size) ? 1 : size;
 }
 
 const char *field_remark(void)
@@ -75,6 +84,8 @@ static bool take_other(const char *name, const char *text, input_texts *texts)
             said.units = units_unknown;
     } else if (strcmp(name, "width") == 0)
         said.width = text;
+    else if (strcmp(name, "section") == 0)
+        said.section = text;
     else if (strcmp(name, "profile") == 0)
         said.rows = text;
     else if (strcmp(name, "profile_sign") == 0)
@@ -132,7 +143,8 @@ input_texts field_texts(char *fields)
         texts.is_cell[i] = true;
     for (char *field = strtok(fields, BETWEEN); field != NULL; field = strtok(NULL, BETWEEN))
         take(field, &texts);
-    take_width(texts.cell_decimal_sign);
+    take_size(said.width, "length", texts.cell_decimal_sign, &said.units.width);
+    take_size(said.section, "area", texts.cell_decimal_sign, &said.units.section);
     if (said.rows != NULL)
         take_profile(&texts);
     return texts;

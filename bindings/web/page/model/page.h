@@ -40,8 +40,8 @@ const char *json_end(void);
  * rows, whose decimal sign may be that of "profile_sign". "plane_stress" is in place of plane
  * strain, "strength_of" the body that k is of. "rotation" is "held" or "free", and "similar"
  * neglects what friction of unlike bodies does to the pressure. "hull", "fit", "heights" and
- * "origin" say how the profile is made of them, "units" the working units, and "width" what forces
- * of the whole contact are divided by. */
+ * "origin" say how the profile is made of them, "units" the working units, "width" what forces of
+ * the whole contact are divided by, and "section" what a tension that is a force is. */
 input_texts field_texts(char *fields);
 
 /* Of the last texts: the units; the name of the profile, NULL for none, and how it was made. */
@@ -51,6 +51,9 @@ const profile_making *field_making(void);
 
 /* Whether k, of the last texts, is of body 2. */
 bool field_is_of_pad(void);
+
+/* What an input of the last texts has been divided by: 1, or the width, or the section. */
+double field_share(int input);
 
 /* What is to be known of the profile of the last texts; or "". */
 const char *field_remark(void);

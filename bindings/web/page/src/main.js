@@ -126,8 +126,8 @@ const put = (part, id) => render(part, document.getElementById(id));
 /** The answers come first: the drawing shows what of them is worst. */
 function draw() {
     const began = performance.now();
-    const { texts, pad, units, width, plane, body, rotation, digits, sign, name } = state,
-        drawn = model(JSON.stringify([texts, pad, units, width, plane, body, rotation, digits, sign, name]));
+    const { texts, pad, units, width, section, plane, body, rotation, digits, sign, name } = state,
+        drawn = model(JSON.stringify([texts, pad, units, width, section, plane, body, rotation, digits, sign, name]));
     present.value = drawn;
     states.keep();
     carry([...(name ? [name] : []), ...inputTexts(drawn)]);

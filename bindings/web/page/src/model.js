@@ -10,11 +10,12 @@ import { unitSystems, wordsOf } from "./units.js";
 let solved; // the last model with results
 
 /** What the model is told beside the inputs. */
-function otherTexts({ texts, units, width, plane, body, rotation: chosen }) {
+function otherTexts({ texts, units, width, section, plane, body, rotation: chosen }) {
     const rotation = texts.E2 ? chosen : ""; // of two materials alone
     const all = {
         units: wordsOf(units),
         width: width.trim(),
+        section: section.trim(),
         plane_stress: plane,
         strength_of: body,
         rotation: rotation === "similar" ? "" : rotation,

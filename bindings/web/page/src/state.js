@@ -15,6 +15,7 @@ const settings = {
     pad: "",
     units: "mm",
     width: "",
+    section: "",
     digits: "4",
     sign: ".",
     tab: "contact",
@@ -74,7 +75,7 @@ const allowed = {
     factor: factors,
 };
 /** Those that a case file has in words of its own. */
-const ofFile = ["name", "units", "width", "plane", "body", "rotation", "material", "shipped"];
+const ofFile = ["name", "units", "width", "section", "plane", "body", "rotation", "material", "shipped"];
 const LONGEST = 20000; // characters of an address that every browser takes
 
 /** texts: of the inputs, by name; way: which of the ways to give an input is chosen. */
@@ -161,13 +162,21 @@ export const written = (value, digits) => writeNumber(value, digits, state.sign)
 /** As short as it is, for ticks and files. */
 export const shortNumber = (value) => String(value).replace(".", state.sign);
 
-const lengths = ["probe_x", "probe_y", "crack_from", "crack_to"];
+const lengths = ["width", "probe_x", "probe_y", "crack_from", "crack_to"];
+
+/** The dimension of a load as it is typed: with a width P, Q and M are those of the whole contact, with a section a tension is a force. */
+export function typedDimension(name) {
+    const { unit } = inputs[name] ?? {};
+    if (name === "sigma") return state.section.trim() === "" ? unit : "force";
+    return state.width.trim() === "" ? unit : ({ "force/length": "force", force: "force*length" }[unit] ?? unit);
+}
 
 /** Changes the numbers of the form, the place that is looked at and the lengths of a crack, by their dimensions. */
 function changeNumbers(changed) {
     for (const [name, text] of Object.entries(state.texts))
-        if (name !== "profile") state.texts[name] = changed(text, inputs[name]?.unit);
+        if (name !== "profile") state.texts[name] = changed(text, typedDimension(name));
     for (const name of lengths) state[name] = changed(state[name], "length");
+    state.section = changed(state.section, "area");
 }
 
 function rewriteNumbers() {
@@ -187,7 +196,7 @@ const ofProfile = { x: "length", height: "length" };
 /** The pasted tables in other units. factor(dimension), ofConstant(name, exponent) */
 function convertTables(factor, ofConstant) {
     const { sign, texts } = state,
-        ofInputs = (name) => factor(inputs[name]?.unit);
+        ofInputs = (name) => factor(typedDimension(name));
     if (texts.profile) texts.profile = convertedTable(texts.profile, ["x", "height"], (name) => factor(ofProfile[name]), sign);
     state.loads = convertedTable(state.loads, [], ofInputs, sign);
     state.batch = convertedTable(state.batch, [], ofInputs, sign);
@@ -197,7 +206,7 @@ function convertTables(factor, ofConstant) {
 /** Other units: all numbers go with them, or the labels alone change. */
 export function setUnits(units, converts) {
     const [from, to] = [state.units, converts ? units : state.units].map(wordsOf),
-        factor = (dimension) => factorOf(from, to, dimension),
+        factor = (dimension = "") => dimension.split("*").reduce((product, part) => product * factorOf(from, to, part), 1),
         ofConstant = (name, exponent) => constantFactorOf(from, to, name, exponent);
     changeNumbers((text, dimension) => {
         const value = typed(text);

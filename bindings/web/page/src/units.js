@@ -4,6 +4,7 @@
 const made = (length, force, stress) => ({
     length,
     stress,
+    area: `${length}\u00b2`,
     force: force,
     "force/length": `${force}/${length}`,
     "1/stress": `1/${stress}`,

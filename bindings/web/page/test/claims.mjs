@@ -472,6 +472,30 @@ export async function a_plot_is_read_pinned_and_saved_by_name({ page, tool }) {
     assertNear(await page.$eval("#in-a", (input) => input.value), 0.05 / 25.4, 1e-6, "a in inches");
 }
 
+/** Forces of the whole contact and a tension that is a force: units convert them as such, and a slider goes on from them. */
+export async function whole_forces_are_converted_and_dragged({ page, show, tool }) {
+    const texts = { ...usual, P: "1520", Q: "160", sigma: "800" };
+    await show(texts, { width: "8", section: "80", digits: "10" });
+    const { b, p0 } = await shownNumbers(page),
+        told = solvedBy(tool, { ...texts, units: "mm,N,MPa", width: "8", section: "80" }, "10"),
+        valueOf = (id) => page.$eval(id, (input) => Number(input.value));
+    assert.deepEqual([Number(b), Number(p0)], [told.b, told.p0]);
+    await enter(page, { "set-units": "in" });
+    const inches = await shownNumbers(page);
+    assertNear(inches.b, told.b / 25.4, 1e-9, "b in inches");
+    for (const [id, expected] of [["#in-P", 1520 / 4.4482216152605], ["#in-width", 8 / 25.4], ["#in-section", 80 / 25.4 ** 2], ["#in-sigma", 800 / 4.4482216152605]])
+        assertNear(await valueOf(id), expected, 1e-11, id);
+    await enter(page, { "set-units": "mm" });
+    assertNear((await shownNumbers(page)).b, told.b, 1e-9, "b again");
+    const middle = await page.$eval("#in-P", (input) => {
+        const slider = input.closest(".field").querySelector("input[type=range]");
+        slider.value = "0";
+        slider.dispatchEvent(new Event("input"));
+        return input.value;
+    });
+    assert.equal(middle, "1000"); // the power of ten next to 1520 N
+}
+
 /** A case is saved as the tool's case file, by its name, and opened again; a file that is none is refused with its reason. */
 export async function a_case_is_saved_and_opened({ page, show, tool }) {
     const texts = { E1: "210 GPa", nu1: "0.3", radius1: "10", radius2: "40", P: "1.9 kN", Q: "200", M: "", f: "0.3", yield_stress: "700" };

@@ -16,10 +16,10 @@ const valueOf = (text, sign) => {
 /** A material's constants by name: numbers, or texts with their units. */
 const materialOf = (text, sign) => Object.fromEntries(constantsOf(text, sign).map(([name, value]) => [name, valueOf(value, ".")]));
 
-/** Columns of a list of loads, of the whole width where there is one. */
-function columnsOf(loads, width) {
+/** Columns of a list of loads, of the whole width or section where there is one. */
+function columnsOf(loads, width, section) {
     const names = LOADS.filter((name) => name in loads[0] && !(name === "M" && "tilt" in loads[0])),
-        share = (name) => (["P", "M", "Q"].includes(name) ? width : 1);
+        share = (name) => (["P", "M", "Q"].includes(name) ? width : name === "sigma" ? section : 1);
     return Object.fromEntries(names.map((name) => [name, loads.map((load) => load[name] * share(name))]));
 }
 
@@ -28,7 +28,7 @@ function columnsOf(loads, width) {
  * then those of the form are the case's; shipped: the name of a material that the tool has; settings: what the page alone has.
  */
 export function writtenCase({ name, texts, sign, material, shipped, loads, settings }) {
-    const { case: made, width } = ask("case", textsFor(texts, sign)),
+    const { case: made, width, section } = ask("case", textsFor(texts, sign)),
         { rwedge_case, bodies, pad, loads: ofForm } = made,
         isList = loads?.length > 0,
         options = { ...settings, ...(isList ? ofForm : {}) };
@@ -37,6 +37,7 @@ export function writtenCase({ name, texts, sign, material, shipped, loads, setti
         ...(name && { name }),
         ...(texts.units && { units: texts.units }),
         ...(width && { width }),
+        ...(section && { section }),
         bodies: {
             ...bodies,
             ...(texts.plane_stress && { plane_stress: true }),
@@ -44,7 +45,7 @@ export function writtenCase({ name, texts, sign, material, shipped, loads, setti
             ...(texts.similar && { similar: true }),
         },
         pad: { ...pad, ...(texts.rotation && { rotation: texts.rotation }) },
-        loads: isList ? columnsOf(loads, width ?? 1) : ofForm,
+        loads: isList ? columnsOf(loads, width ?? 1, section ?? 1) : ofForm,
         ...(material.trim() && { material: shipped || materialOf(material, sign) }),
         asked: { command: "page", options },
     };
@@ -98,7 +99,7 @@ export function readCase(text, write) {
     const groups = Object.fromEntries(Object.entries(rest).filter(([group]) => knows("case_group", group))),
         others = Object.fromEntries(Object.entries(rest).filter(([word]) => !(word in groups)));
     const taken = { texts: {}, lists: {}, words: {}, write },
-        told = ["units", "width"].filter((word) => word in others).map((word) => `${word}=${others[word]}`).join("\x1e"),
+        told = ["units", "width", "section"].filter((word) => word in others).map((word) => `${word}=${others[word]}`).join("\x1e"),
         list = groups.loads && listsOf(groups.loads);
     takeGroup("", others, told, taken);
     for (const [group, values] of Object.entries(groups)) if (!(group === "loads" && list)) takeGroup(group, values, told, taken);
@@ -115,6 +116,7 @@ export function readCase(text, write) {
         name,
         units: units ?? "",
         width: width ?? "",
+        section: section ?? "",
         plane: plane_stress && "stress",
         body: strength_of === "2" ? "2" : "",
         rotation: similar ? "similar" : rotation,

@@ -10,7 +10,7 @@ const linesFor = (texts, sign, write) =>
 
 /**
  * The texts for the model, one after the other, with their decimal sign: of inputs; "hull", "fit", "heights", "origin" of the profile;
- * "units", "width", "plane_stress", "strength_of", "rotation" and "similar".
+ * "units", "width", "section", "plane_stress", "strength_of", "rotation" and "similar".
  */
 export const textsFor = (texts, sign) => [`decimal_sign=${sign}`, ...linesFor(texts, sign, withSign)].join("\x1e");
 
@@ -18,7 +18,7 @@ export const textsFor = (texts, sign) => [`decimal_sign=${sign}`, ...linesFor(te
 export const constantsFor = (texts, sign) => [`profile_sign=${sign}`, ...linesFor(texts, sign, withPoint)].join("\x1e");
 
 /** What an answer of the model has where nothing is said of it. */
-const none = { inputs: {}, faults: [], setup: null, hardest: null, results: null, verdict: null, remark: "" };
+const none = { inputs: {}, shares: {}, faults: [], setup: null, hardest: null, results: null, verdict: null, remark: "" };
 
 /** The factor by which the yield stress may fall, as in the workbook. */
 const safetyOnStrength = (r) => (r.load_over_bk && r.P_over_bk !== null ? r.P_over_bk / r.load_over_bk : null);

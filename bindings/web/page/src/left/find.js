@@ -23,14 +23,14 @@ const offered = () =>
     state.pad === "cylinders" ? Object.fromEntries(Object.entries(findable).filter(([name]) => name !== "radius" && name !== "a")) : findable;
 
 /** P of the whole contact, where it has a width. */
-const asTyped = (name, value) => (name === "P" && typed(state.width) > 0 ? value * typed(state.width) : value);
+const asTyped = ({ shares }, name, value) => value * (shares[name] ?? 1);
 
 export function finder(model) {
     const { safety, factor } = state,
         choices = offered(),
         name = state.find in choices ? state.find : "P",
         { complaint, value } = answerFor(model, name, safety, factor);
-    const use = () => put(name, written(asTyped(name, value), 15));
+    const use = () => put(name, written(asTyped(model, name, value), 15));
     return html`<fieldset class="find"><legend>Find an input</legend>
         <p class="tools"><select id="find-input" aria-label="What is looked for" @change=${setter("find")}>${options(choices, name)}</select>
             for a factor <select id="find-factor" aria-label="On what" @change=${setter("factor")}>${options(factors, factor)}</select> of

@@ -5,7 +5,7 @@ import { live } from "lit-html/directives/live.js";
 import { rwedge } from "../answers/library.js";
 import { ofShapes, pads } from "../pads.js";
 import { options } from "../parts.js";
-import { rotations, set, setter, state, strengths, typed, written } from "../state.js";
+import { rotations, set, setter, state, strengths, typedDimension, written } from "../state.js";
 import { percentOf } from "../answers/solution.js";
 import { inputs, waysOf } from "../answers/words.js";
 import { padChoice } from "./pad_choice.js";
@@ -48,7 +48,7 @@ const choices = {
 const hints = { E2: "as body 1", nu2: "as body 1", Q: "0", M: "0", sigma: "0", k: "none", yield_stress: "none" };
 
 /** The same input the other way: radians or degrees, a or radius, k or Y, the moment or the tilt that it leads to. */
-function converted(from, numbers, results) {
+function converted(from, numbers, results, shares) {
     const value = numbers[from],
         angle = numbers.theta ?? (numbers.theta_deg * Math.PI) / 180;
     return {
@@ -59,7 +59,7 @@ function converted(from, numbers, results) {
         k: value * Math.sqrt(3),
         yield_stress: value / Math.sqrt(3),
         M: results?.tilt ?? NaN,
-        tilt: (results?.moment ?? NaN) * (state.width === "" ? 1 : typed(state.width)),
+        tilt: (results?.moment ?? NaN) * (shares.M ?? 1),
     }[from];
 }
 
@@ -86,8 +86,8 @@ export function put(way, text) {
 }
 
 /** To 15 digits; what is no number stays as it is. */
-function choose(way, from, { inputs: numbers, results }) {
-    const other = from in numbers ? converted(from, numbers, results) : NaN;
+function choose(way, from, { inputs: numbers, results, shares }) {
+    const other = from in numbers ? converted(from, numbers, results, shares) : NaN;
     put(way, Number.isFinite(other) ? written(other, 15) : (state.texts[from] ?? ""));
 }
 
@@ -107,9 +107,7 @@ function entry(field, text, isWrong, hint) {
               aria-invalid=${isWrong} placeholder=${hint} .value=${live(text)} @input=${input}>`;
 }
 
-/** With a total width a force per length is one of the whole contact. */
-const unitOf = (dimension, unit) =>
-    state.width === "" ? unit[dimension] : (unit[{ "force/length": "force", force: "force*length" }[dimension]] ?? unit[dimension]);
+const unitOf = (name, unit) => unit[typedDimension(name)];
 
 /** E2 and nu2 are given both or not at all. */
 const isHalf = (name, { E2, nu2 }) => (name === "nu2" ? Number.isFinite(E2) : name === "E2" && nu2 !== undefined);
@@ -130,7 +128,7 @@ function remarkOf({ remark, resolution, write, unit }) {
 
 function fieldPart(field, model) {
     const name = nameOf(field),
-        unit = field === "theta" || name === "tilt" ? (name === "tilt" ? "rad" : "") : unitOf(inputs[name].unit, model.unit);
+        unit = field === "theta" || name === "tilt" ? (name === "tilt" ? "rad" : "") : unitOf(name, model.unit);
     const wrong = model.faults.filter((fault) => waysOf(field).includes(fault.input)).map((fault) => fault.text);
     const hint = isHalf(name, model.inputs) ? "needed too" : (hints[name] ?? "");
     return html`<div class="field" ?hidden=${openWays(field).length === 0}>
@@ -147,6 +145,11 @@ const width = (model) => html`<div class="field"><label for="in-width">Width of 
     <div class="row"><input id="in-width" type="text" autocomplete="off" spellcheck="false" size="10" placeholder="forces per length"
         .value=${live(state.width)} @input=${setter("width")}><span class="unit">${model.unit.length}</span></div></div>`;
 
+/** Of a tension that is given as a force. */
+const section = (model) => html`<div class="field"><label for="in-section">Section under the tension</label>
+    <div class="row"><input id="in-section" type="text" autocomplete="off" spellcheck="false" size="10" placeholder="\u03c3 is a stress"
+        .value=${live(state.section)} @input=${setter("section")}><span class="unit">${model.unit.area}</span></div></div>`;
+
 const body = () => html`<div class="field"><label for="strength-of">k, stresses and yield are</label>
     <div class="row"><select id="strength-of" @change=${setter("body")}>${options(strengths, state.body)}</select></div></div>`;
 
@@ -162,7 +165,7 @@ const more = {
     Loads: { below: width },
     Pad: { above: padChoice },
     "Between the bodies": { below: rotation },
-    "Half-plane": { below: () => [body(), plane()] },
+    "Half-plane": { below: (model) => [section(model), body(), plane()] },
 };
 
 const group = ({ title, names }, model) => html`<fieldset><legend>${title}</legend>

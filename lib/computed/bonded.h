@@ -15,7 +15,8 @@
  * memory is short or there is no contact. */
 bool rw_press_bonded(const rw_frame *frame, rw_numerical_state *state);
 
-/* The error of that factor, over f times the peak pressure. */
+/* The error of that factor, and of friction as the bound of what has slipped meanwhile, over f
+ * times the peak pressure. */
 double rw_bonded_error(const rw_frame *frame);
 
 #endif

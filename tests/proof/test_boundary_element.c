@@ -255,6 +255,39 @@ static difference along_unlike_loads(uint64_t number, double B, bool is_alone, i
     return sum;
 }
 
+/* Where little friction holds unlike bodies, much of them slips while they are pressed. A cylinder
+ * is pressed in short steps. */
+static double pressing_differs(double f, double B, size_t n, double *told)
+{
+    enum { SHORT_STEPS = 60 };
+    static boundary_element solver;
+    difference sum = {0};
+    const double R = 1, P = 0.02 / A;
+    rwedge_contact *contact;
+    assert_ok(rwedge_contact_create_flat(0, R, A, f, &contact));
+    owned(contact);
+    assert_ok(rwedge_contact_set_beta(contact, -B));
+    apply(allowing(contact, 1e-3), P, 0, 0, 0);
+    boundary_element_start(&solver, 1, R, A, f, n, 1.1 * rwedge_contact_half_width(contact));
+    solver.B = B;
+    assert_int_equal(boundary_element_go(&solver, SHORT_STEPS, (rw_loads){.P = P}), 0);
+    add_difference(contact, &solver, f, &sum);
+    assert_within(sum.pressure, 0, 1e-2);
+    *told = rwedge_contact_error(contact);
+    return sum.shear;
+}
+
+CLAIM(pressed_unlike_bodies_tell_the_error_of_what_slips)
+{
+    static const double FRICTION[] = {0.1, 0.15, 0.2};
+    for (int i = 0; i < 3; i++) {
+        double told;
+        const double differs = pressing_differs(FRICTION[i], 1.0 / 7, 80, &told);
+        printf("f %g: shear differs by %.3f, told %.3f\n", FRICTION[i], differs, told);
+        assert_true(differs < 1.3 * told && told < 3 * differs);
+    }
+}
+
 CLAIM(unlike_bodies_are_the_limit_of_coupled_boundary_elements)
 {
     for (int i = 1; i < 3; i++) { /* Q alone, and all of them; of either sign */

@@ -2,6 +2,7 @@
 """The figures: the command of each, and the functions that it is about. They make the gallery."""
 from __future__ import annotations
 
+import os
 import shutil
 import subprocess
 import sys
@@ -36,7 +37,8 @@ FIGURES = {
     "stress": ("Von Mises' stress under these loads", f"stress {PAD} --load 135.75,0 --load 135.75,25", "contact_yield_factor"),
 }
 WORKED = "bindings/python/examples"
-CASES = {"calculix": "", "crack_elements": "", "design": "--rows 60 --columns 41 --workers 0 --check 1", "dovetail": "", "fretting": "", "pads": "", "phase": "", "spectrum": "", "total_life": ""}
+CASES = {"calculix": "", "crack_elements": "", "design": "--rows 60 --columns 41 --workers 0 --check 1", "dovetail": "", "fretting": "", "pads": "", "phase": "", "rig": "",
+         "spectrum": "", "total_life": ""}
 
 
 def can_run(case: str) -> bool:
@@ -71,4 +73,4 @@ def draw(tool: str, folder: Path) -> None:
         subprocess.run([tool, "figure", *command.split(), "-o", str(folder / f"{name}.svg")], check=True)
     for name in filter(can_run, CASES):
         subprocess.run([sys.executable, "-B", TOP / WORKED / f"{name}.py", folder / f"{name}-case.svg", *CASES[name].split()],
-                       check=True, stdout=subprocess.DEVNULL)
+                       check=True, stdout=subprocess.DEVNULL, env={**os.environ, "RWEDGE_TOOL": tool})

@@ -9,9 +9,9 @@
 
 static const command help_command;
 static const command *const commands[] = {
-    &solve_command,    &table_command,  &profile_command, &field_command,    &history_command,
-    &fretting_command, &crack_command,  &figure_command,  &workbook_command, &materials_command,
-    &read_command,     &report_command, &help_command};
+    &solve_command,     &table_command, &profile_command, &field_command,  &history_command,
+    &fretting_command,  &crack_command, &loop_command,    &figure_command, &workbook_command,
+    &materials_command, &read_command,  &report_command,  &help_command};
 enum { COMMAND_COUNT = sizeof commands / sizeof commands[0] };
 
 enum { OPTION_VERSION = OPTION_OWN, OPTION_COMPLETION };

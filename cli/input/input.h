@@ -110,11 +110,11 @@ void csv_row_free(csv_row *row);
 /* How files are to be read. */
 typedef struct {
     char decimal_sign;
-    const char *encoding;     /* NULL: UTF-8 */
-    const char *columns;      /* as in naming */
-    const unit_system *units; /* NULL */
-    bool drops;               /* rows that lack a number, in place of refusing them */
-    bool is_driven;           /* as in naming */
+    const char *encoding;        /* NULL: UTF-8 */
+    const char *columns;         /* as in naming */
+    const unit_system *units;    /* NULL */
+    bool drops;                  /* rows that lack a number, in place of refusing them */
+    bool is_driven, is_measured; /* as in naming */
     bool is_command;
 } reading;
 

@@ -339,7 +339,8 @@ bool table_open(const char *path, const reading *how, const table_wanted *wanted
     t->how = (naming){.columns = how->columns,
                       .units = how->units,
                       .is_command = how->is_command,
-                      .is_driven = how->is_driven};
+                      .is_driven = how->is_driven,
+                      .is_measured = how->is_measured};
     t->in = csv_input_open(path, how->decimal_sign == ',' ? ';' : ',', how->encoding);
     const finding found = find_header(t);
     csv_input_begin(t->in, found.separator);

@@ -90,8 +90,8 @@ typedef struct {
 
 /* Each is defined in the file of its name. */
 extern const command solve_command, table_command, profile_command, field_command, history_command,
-    fretting_command, crack_command, figure_command, workbook_command, materials_command,
-    read_command, report_command;
+    fretting_command, crack_command, loop_command, figure_command, workbook_command,
+    materials_command, read_command, report_command;
 
 /* ---- completion ---- Completion for bash, zsh and fish, written from the tables of options that
  * drive the parsing. */

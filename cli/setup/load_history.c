@@ -214,26 +214,32 @@ bool load_history_read_file(const char *file, const reading *how, load_history *
     return true;
 }
 
-static void read_file(const arguments *line, const char *file, char decimal_sign,
-                      load_history *loads)
+static void read_file(const char *file, const reading *how, load_history *loads)
 {
     complaint why;
-    const reading how = reading_of(line, decimal_sign);
-    if (!load_history_read_file(file, &how, loads, &why))
+    if (!load_history_read_file(file, how, loads, &why))
         failure("%s", why.text);
 }
 
 void load_history_read(const arguments *line, char decimal_sign, load_history *loads)
 {
     const char *file = history_file(line);
+    const reading how = reading_of(line, decimal_sign);
     if (!is_kept && file != NULL)
-        read_file(line, file, decimal_sign, &kept);
+        read_file(file, &how, &kept);
     else if (!is_kept)
         load_history_read_list(line, &kept);
     if (!has_compliance)
         load_history_give_compliance(line, &kept);
     is_kept = has_compliance = true;
     *loads = kept;
+}
+
+void load_history_read_measured(const arguments *line, char decimal_sign, load_history *loads)
+{
+    reading how = reading_of(line, decimal_sign);
+    how.is_measured = true;
+    read_file(history_file(line), &how, loads);
 }
 
 /* ---- Applied ---- */

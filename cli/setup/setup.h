@@ -162,6 +162,8 @@ void load_history_offer(const char *name, const unit_system *units, const load *
 /* Reads the file where there is one, else the list; or the list of --load. What has been read once
  * is given again. */
 void load_history_read(const arguments *line, char decimal_sign, load_history *loads);
+/* A file of what a rig measured: Q and its displacement. */
+void load_history_read_measured(const arguments *line, char decimal_sign, load_history *loads);
 void load_history_read_list(const arguments *line, load_history *loads);
 
 /* Reads a file of loads, and says what was passed over. False, with the complaint. */

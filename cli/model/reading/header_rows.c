@@ -115,19 +115,23 @@ static bool find_displacement(header *names, complaint *why)
 {
     if (!header_column(names, displacement_column, &names->displacement, why))
         return false;
-    const bool is_there = names->displacement < names->count;
-    if (is_there && names->how->is_driven)
+    const bool is_there = names->displacement < names->count,
+               is_needed = names->how->is_driven || names->how->is_measured;
+    if (is_there && is_needed)
         return header_need(names, names->displacement, displacement_column, "length", SHARE_NONE,
                            NEED_NUMBER, why);
     names->displacement = names->count;
-    if (!names->how->is_driven && (!is_there || header_has_input(names, INPUT_Q)))
+    if (!is_needed && (!is_there || header_has_input(names, INPUT_Q)))
         return true;
     if (is_there)
         return complain(why,
                         "column Q: missing; a displacement in its place needs the compliance "
                         "of the rig%s",
                         names->how->is_command ? ", --compliance, 0 where it is stiff" : "");
-    complain(why, "column displacement: missing; with a compliance loads have it in place of Q");
+    complain(why, names->how->is_measured
+                      ? "column displacement: missing; a loop needs P, Q and displacement"
+                      : "column displacement: missing; with a compliance loads have it in place "
+                        "of Q");
     header_write_names(names, why);
     return false;
 }
@@ -141,7 +145,8 @@ bool load_header_find(header *names, complaint *why)
         return complain(why, "column tilt: given together with column M; allowed: one of the two, "
                              "or another name");
     if (header_has_input(names, INPUT_P) &&
-        (header_has_input(names, INPUT_Q) || names->displacement < names->count))
+        (header_has_input(names, INPUT_Q) ||
+         (names->displacement < names->count && !names->how->is_measured)))
         return true;
     complain(why, "column %s: missing; a history needs P and Q%s",
              header_has_input(names, INPUT_P) ? "Q" : "P", header_hint(names->name, names->count));
@@ -163,9 +168,9 @@ bool load_row_read(const header *names, const char *const cells[], size_t count,
                          &value[i], why))
             return false;
     double displacement = 0;
-    const bool is_driven = names->displacement < names->count;
-    if (is_driven && !header_cell(names, cells, names->displacement, displacement_column,
-                                  decimal_sign, &displacement, why))
+    const bool has_one = names->displacement < names->count;
+    if (has_one && !header_cell(names, cells, names->displacement, displacement_column,
+                                decimal_sign, &displacement, why))
         return false;
     *to = (load){.P = value[INPUT_P],
                  .M = value[INPUT_M],
@@ -173,7 +178,7 @@ bool load_row_read(const header *names, const char *const cells[], size_t count,
                  .sigma = value[INPUT_SIGMA],
                  .is_guided = header_has_input(names, INPUT_TILT),
                  .tilt = value[INPUT_TILT],
-                 .is_driven = is_driven,
+                 .is_driven = has_one && names->how->is_driven,
                  .displacement = displacement};
     return true;
 }

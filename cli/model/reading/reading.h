@@ -43,6 +43,7 @@ typedef struct {
     bool is_command;             /* messages may name options */
     bool takes_any_unit;         /* units are not looked at yet */
     bool is_driven;              /* loads have a displacement in place of Q */
+    bool is_measured;            /* they have both */
 } naming;
 
 typedef struct {

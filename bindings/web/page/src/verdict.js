@@ -28,6 +28,22 @@ export function bar(factor, colour, limit = "yields") {
         <p class="scale"><span>0</span><span>1: ${limit}</span><span>2</span><span>${MOST} and more</span></p>`;
 }
 
+/** Of P in full sliding, again and again: up to the first yield it is elastic, up to shakedown it yields at first, beyond it goes on; a line
+ * at this P. */
+function passesBar({ safety, safety_shakedown: passes }, write) {
+    const place = (factor) => (100 * Math.min(factor, MOST)) / MOST,
+        [first, last] = [safety, passes].map(place);
+    return html`<svg class="factor passes" viewBox="0 0 100 10" preserveAspectRatio="none" role="img"
+            aria-label="P in full sliding: elastic up to ${write(safety)} times this P, after a first yield up to ${write(passes)} times">
+            <rect class="red" width="100" height="10"/><rect class="amber" width=${last.toFixed(1)} height="10"/>
+            <rect class="green" width=${first.toFixed(1)} height="10"/>
+            <rect class="limit" x=${(100 / MOST).toFixed(1)} width="0.4" height="10"/></svg>
+        <p class="scale"><span>0</span><span>1: this P</span><span>2</span><span>${MOST} and more</span></p>
+        <p class="keys"><span class="green">P, sliding: elastic up to ${write(safety)}</span>
+            <span class="amber">yields at first, then elastic up to ${write(passes)}</span>
+            <span class="red">goes on yielding</span></p>`;
+}
+
 const advice = html`<p class="note">Factors on the stress are for P as it is. With the factor on P the contact grows too. Where Q may grow,
     take those of the sliding contact.</p>`;
 
@@ -48,6 +64,7 @@ function whole(model) {
     const { strength, factor, colour } = model.verdict;
     return html`<p class="sentence">${strength}</p>
         ${Number.isFinite(factor) ? bar(factor, colour) : nothing}
+        ${[model.results.safety, model.results.safety_shakedown].every(Number.isFinite) ? passesBar(model.results, model.write) : nothing}
         <p class="figures">${figures.map((each) => figure(model, each))} ${stickText(model)}</p>
         ${Number.isFinite(model.results.safety) ? advice : nothing}`;
 }

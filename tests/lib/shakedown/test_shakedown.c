@@ -316,6 +316,21 @@ CLAIM(any_pad_has_a_shakedown_load)
     assert_true(P == 7);
 }
 
+/* Of Hertz' contact P/b = pi b/(2 A R), and the limit is P/(b k): P = (2/pi) A R (limit k)^2. */
+CLAIM(a_cylinder_has_the_shakedown_load_of_hertz)
+{
+    static const double fs[] = {0, 0.2, 0.5}, nus[] = {0.3, 0.5};
+    const double R = 20, k = 0.1;
+    for (int i = 0; i < 6; i++) {
+        const double f = fs[i / 2], nu = nus[i % 2];
+        double P, y, depth;
+        const double limit = limit_at(1, f, nu, &depth) * k;
+        assert_ok(rwedge_contact_shakedown_load(create_flat(0, R, A, f), nu, k, &P, &y));
+        assert_close(P, 2 / PI * A * R * limit * limit, 1e-9);
+        assert_within(y, depth * P / limit, 1e-5 * P / limit); /* P/limit is b */
+    }
+}
+
 /* The search began at a load whose f P is below the domain, and found none. */
 CLAIM(the_smallest_loads_have_a_shakedown_load)
 {

@@ -5,6 +5,8 @@
  * bits of their closed form, and slip and energy are known. */
 #include "loading/beside.h"
 
+#include "computed/beginning.h"
+
 static bool knows_all(const rwedge_contact *contact)
 {
     return rw_contact_knows_slip(contact) && rw_contact_of_slip(contact)->energy.is_known;
@@ -89,6 +91,33 @@ static int32_t go_on(rwedge_contact *contact, rwedge_contact *ahead, rw_goal to)
     }
     rwedge_contact_destroy(ahead);
     rwedge_contact_destroy(other);
+    return RWEDGE_OK;
+}
+
+/* In closed form slip counts from here where there is no origin. */
+int32_t rw_contact_follow_slip(rwedge_contact *contact)
+{
+    rwedge_contact *beside = contact->beside;
+    if (beside) {
+        contact->beside = NULL;
+        rw_contact_exchange(contact, beside);
+        rwedge_contact_destroy(beside);
+    }
+    rw_slip_record *slip = &contact->slip;
+    rw_computed *computed = &contact->computed;
+    slip->followed = contact->tolerance > 0 ? RW_SLIP_FOLLOWED : RW_NONE_FOLLOWED;
+    if (contact->unlike || slip->followed == RW_NONE_FOLLOWED || rw_contact_knows_slip(contact))
+        return RWEDGE_OK;
+    const rw_frame frame = rw_contact_frame(contact);
+    if (computed->now && !rw_numerical_count_slip(computed->now, &frame, NULL, NULL))
+        return RWEDGE_ENOMEM;
+    if (computed->start != computed->now)
+        rw_numerical_destroy(computed->start); /* its slip is not known */
+    computed->start = NULL;
+    rw_slip_origins_destroy(&slip->origins);
+    contact->memory.shared = 0;
+    slip->is_known = true;
+    slip->settled = rw_memory_end(&contact->memory)->patch;
     return RWEDGE_OK;
 }
 

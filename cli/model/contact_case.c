@@ -289,6 +289,20 @@ bool case_read(const input_texts *texts, case_needs needs, contact_case *setup, 
             (setup->status != RWEDGE_OK || loads_spare_flanks(&setup->shape, setup->contact, why)));
 }
 
+double case_peak_pressure(const contact_case *setup, const pad_profile *places)
+{
+    contact_case other = *setup;
+    double pressure = NAN, x;
+    other.shape = pad_of_profile(places);
+    other.contact = NULL;
+    other.is_coupled = false;
+    if (case_contact(&other, &other.contact) == RWEDGE_OK &&
+        loads_apply((load){.P = setup->P, .M = setup->M}, other.contact) == RWEDGE_OK)
+        rwedge_contact_peak_pressure(other.contact, &pressure, &x);
+    rwedge_contact_destroy(other.contact);
+    return pressure;
+}
+
 double case_shear_ratio(const contact_case *setup)
 {
     const double limit = setup->f * setup->P;

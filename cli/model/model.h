@@ -262,6 +262,10 @@ double case_tolerance(const input_texts *texts, bool is_coupled);
  * also after an error. */
 int32_t case_contact(const contact_case *setup, rwedge_contact **contact);
 
+/* The largest pressure of the case with another profile, under its P and M alone; NAN where it is
+ * not known. */
+double case_peak_pressure(const contact_case *setup, const pad_profile *places);
+
 /* Q/(fP), of magnitude 1 at the most; 0 where f or Q is. */
 double case_shear_ratio(const contact_case *setup);
 

@@ -3,23 +3,6 @@
  * pressure depends on the number of arcs. */
 #include "solve.h"
 
-#include <math.h>
-
-/* Under P and M alone, which it depends on; NAN where it is not known. */
-static double peak_pressure(const contact_case *setup, const pad_profile *places)
-{
-    contact_case other = *setup;
-    double pressure = NAN, x;
-    other.shape = pad_of_profile(places);
-    other.contact = NULL;
-    other.is_coupled = false;
-    if (case_contact(&other, &other.contact) == RWEDGE_OK &&
-        loads_apply((load){.P = setup->P, .M = setup->M}, other.contact) == RWEDGE_OK)
-        rwedge_contact_peak_pressure(other.contact, &pressure, &x);
-    rwedge_contact_destroy(other.contact);
-    return pressure;
-}
-
 /* Adds the change of the pressure in per cent to the text, if there is such a fit. */
 static void add_change(const contact_case *setup, int32_t arcs, const char *with, double pressure,
                        char text[80])
@@ -27,7 +10,7 @@ static void add_change(const contact_case *setup, int32_t arcs, const char *with
     static pad_profile other; /* is large */
     if (arcs < 1 || !pad_fit_again(setup->shape.places, arcs, &other))
         return;
-    const double change = 100 * (peak_pressure(setup, &other) / pressure - 1);
+    const double change = 100 * (case_peak_pressure(setup, &other) / pressure - 1);
     list_add(text, 80, ", ", "by %+.2f %% with %s", change, with);
     pad_profile_free(&other);
 }
@@ -41,7 +24,7 @@ void fit_say(const contact_case *setup)
         rwedge_contact_edges(setup->contact, &left, &right) != RWEDGE_OK)
         return;
     const double residue = pad_fit_residue(places, left, right, &x);
-    const double pressure = peak_pressure(setup, places);
+    const double pressure = case_peak_pressure(setup, places);
     add_change(setup, places->arcs - 1, "one arc fewer", pressure, changes);
     add_change(setup, places->arcs + 1, "one more", pressure, changes);
     notice("the fit: the largest residue within the contact is %.3g, at x = %.6g; p0 changes %s",

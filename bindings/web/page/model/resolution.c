@@ -52,21 +52,6 @@ static void free_scan(scan *all)
     free(all->line);
 }
 
-/* Largest under P and M alone; NAN where it is not known. */
-static double pressure_of(const contact_case *setup, const pad_profile *places)
-{
-    contact_case other = *setup;
-    double pressure = NAN, x;
-    other.shape = pad_of_profile(places);
-    other.contact = NULL;
-    other.is_coupled = false;
-    if (case_contact(&other, &other.contact) == RWEDGE_OK &&
-        loads_apply((load){.P = setup->P, .M = setup->M}, other.contact) == RWEDGE_OK)
-        rwedge_contact_peak_pressure(other.contact, &pressure, &x);
-    rwedge_contact_destroy(other.contact);
-    return pressure;
-}
-
 /* The share by which the largest pressure changes without every second place. */
 static double change_without_half(const contact_case *setup, const pairs *places)
 {
@@ -77,7 +62,8 @@ static double change_without_half(const contact_case *setup, const pairs *places
     half = (pad_profile){0};
     scan_settle(&all, true);
     if (pad_profile_of_heights(&all, field_making(), &half, &remark))
-        change = pressure_of(setup, &half) / pressure_of(setup, setup->shape.places) - 1;
+        change =
+            case_peak_pressure(setup, &half) / case_peak_pressure(setup, setup->shape.places) - 1;
     pad_profile_free(&half);
     free_scan(&all);
     return change;

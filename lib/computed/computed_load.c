@@ -140,10 +140,11 @@ static int32_t reach(const rwedge_contact *c, const rw_step *step, const rw_nume
     bool is_whole = true;
     *next = is_on_line_from_touching(c, from, to) ? rw_numerical_of_touching(c, to)
                                                   : rw_numerical_copy(from, &is_whole);
+    const bool is_there = *next && is_at(*next, to); /* as all has stuck since touching */
     int32_t status = !*next || !is_whole ? RWEDGE_ENOMEM
-                     : is_at(*next, to)  ? RWEDGE_OK
+                     : is_there          ? RWEDGE_OK
                                          : advance(*next, &frame, to, step->patch);
-    if (status == RWEDGE_OK && added(&frame, from, *next) > MOST_ADDED * c->tolerance)
+    if (status == RWEDGE_OK && !is_there && added(&frame, from, *next) > MOST_ADDED * c->tolerance)
         status = RWEDGE_ENOCONV;
     if (status != RWEDGE_OK) {
         rw_numerical_destroy(*next);

@@ -215,6 +215,20 @@ CLAIM(full_sliding_is_the_limit)
     assert_true(rwedge_contact_error(slides) == 0);
 }
 
+/* Pressed in one load or in two, with little friction: much slips meanwhile, and is told. */
+CLAIM(pressing_goes_on_along_its_line)
+{
+    rwedge_contact *once = unlike(create_flat(0, 1, 1, 0.1), -0.14, 1e-3);
+    rwedge_contact *twice = unlike(create_flat(0, 1, 1, 0.1), -0.14, 1e-3);
+    apply(once, 0.02, 0, 0, 0);
+    apply(twice, 0.002, 0, 0, 0);
+    apply(twice, 0.02, 0, 0, 0);
+    assert_true(edges_of(once).right == edges_of(twice).right);
+    for (double x = 0.01; x < 0.11; x += 0.01)
+        assert_true(shear(once, x) == shear(twice, x));
+    assert_close(rwedge_contact_error(twice), exp(-PI * 0.1 / 0.14), 0.1);
+}
+
 /* ---- What such a contact does ---- */
 
 /* The tractions carry the loads, and are within friction. */

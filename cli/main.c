@@ -25,7 +25,7 @@ static const struct poptOption options[] = {
 
 static void list_commands(FILE *stream)
 {
-    fputs("\nThe contact of a wedge with a rounded apex and an elastically similar half-plane;\n"
+    fputs("\nThe contact of a wedge with a rounded apex and a half-plane;\n"
           "or of a cylinder, a flat pad with rounded edges, any convex profile.\n\nCommands:\n",
           stream);
     for (int i = 0; i < COMMAND_COUNT; i++)

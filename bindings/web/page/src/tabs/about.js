@@ -12,7 +12,7 @@ const licences = texts.licences
 
 const text = () => `
 <h2>What this is</h2>
-<p>A wedge with a rounded apex, a cylinder, a flat pad with rounded edges or any convex profile is pressed onto an elastically similar half-plane: contact law, pressure, partial slip, stresses, first yield, cycles of loads. The library
+<p>A wedge with a rounded apex, a cylinder, a flat pad with rounded edges or any convex profile is pressed onto a half-plane: contact law, pressure, partial slip, stresses, first yield, cycles of loads. The library
 <b>rwedge ${escaped(rwedge.version())}</b> is inside this file and computes every number here. The file asks for nothing from a network, and its security policy forbids it to.</p>
 <p>Source: M. Ciavarella, D. A. Hills, G. Monno, \u201cContact problems for a wedge with rounded apex\u201d, Int. J. Mech. Sci. 40 (1998) 977\u2013988.</p>
 <p>It holds for plane strain, small angles and bodies that are large beside the contact. ${escaped(unitsRemark)} In a field, decimal points and commas are both read; a comma that may separate thousands is refused unless the comma is the chosen sign, which is that of pasted rows.</p>

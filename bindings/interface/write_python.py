@@ -293,7 +293,7 @@ HERE = Path(__file__).resolve()
 PACKAGE = next(folder / "src/rwedge" for folder in (HERE.parents[1] / "python", HERE.parents[3]) if (folder / "src/rwedge").exists())
 NAMED = re.findall(r'^    "(\w+)": \("', (PACKAGE / "_named.py").read_text(encoding="utf-8"), re.M)
 # The classes that are written by hand, by their modules.
-CLASSES = {"_contact": "Contact YieldFactor", "_criteria": "Damage Plane", "_cycle": "Cycle Friction Growth", "_files": "Case read_case", "_loads": "Loads", "_series": "Series", "_stress_history": "StressHistory", "_tests": "Tests series",
+CLASSES = {"_contact": "Contact YieldFactor", "_criteria": "Damage Plane", "_cycle": "Cycle Friction Growth", "_files": "Case read_case", "_loads": "Loads", "_loop": "Loop loop", "_series": "Series", "_stress_history": "StressHistory", "_tests": "Tests series",
            "_library": "AbsentError Error PathError SlidingError", "_validity": "ValidityWarning"}
 PYI = '''# SPDX-License-Identifier: GPL-3.0-or-later
 from typing import Any, Protocol, overload, type_check_only

@@ -27,6 +27,7 @@ from ._files import Case, read_case
 from ._library import AbsentError, Error, PathError, SlidingError
 from ._library import function as _function
 from ._loads import Loads
+from ._loop import Loop, loop
 from ._made import *  # noqa: F403
 from ._named import NAMED as _NAMED
 from ._named import Named as _Named
@@ -39,7 +40,7 @@ from ._ufuncs import Formula as _Formula
 from ._ufuncs import Points as _Points
 from ._validity import ValidityWarning
 
-_CLASSES = (AbsentError, Case, Contact, Cycle, Damage, Error, Friction, Growth, Loads, PathError, Plane, Series, SlidingError, StressHistory,
+_CLASSES = (AbsentError, Case, Contact, Cycle, Damage, Error, Friction, Growth, Loads, Loop, PathError, Plane, Series, SlidingError, StressHistory,
             Tests, ValidityWarning, YieldFactor)
 for _class in _CLASSES:
     _class.__module__ = __name__
@@ -48,7 +49,7 @@ __version__ = _function("version")().decode()
 # All functions of the header that take and give nothing but numbers.
 globals().update({name: _Formula(ufunc) for name, ufunc in _UFUNCS.items()})
 globals().update({name: _Named(name) for name in _NAMED})
-__all__ = [*(_class.__name__ for _class in _CLASSES), "read_case", "series", "stresses", *_UFUNCS, *_NAMED, *_made.__all__]
+__all__ = [*(_class.__name__ for _class in _CLASSES), "loop", "read_case", "series", "stresses", *_UFUNCS, *_NAMED, *_made.__all__]
 
 _stresses = _Points("stress")
 

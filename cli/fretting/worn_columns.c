@@ -26,6 +26,8 @@ static double range_of_Q(const last_cycle *last)
 void full_wear_find(const last_cycle *last, full_wear *wear)
 {
     double x;
+    if (rwedge_contact_beta(last->before) != 0)
+        failure("--full-wear: is of similar bodies; --similar takes these as such");
     wear->before = last->before;
     wear->Q_a = range_of_Q(last);
     int32_t status = rwedge_contact_worn_zone(last->before, wear->Q_a, &wear->left, &wear->right,

@@ -160,7 +160,7 @@ load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *
         return fault_at(INPUT_Q, "must not exceed f P = %.6g: there is no equilibrium", f * to.P);
     return fault_at(INPUT_COUNT, "%s%s", rwedge_strerror(status),
                     status != RWEDGE_ENOCONV ? ""
-                    : rwedge_contact_beta(contact) != 0 && loads_of(contact).P == 0
+                    : rwedge_contact_beta(contact) != 0
                         ? ": unlike bodies are to be pressed along P first, then sheared"
                         : ": smaller loads may go");
 }

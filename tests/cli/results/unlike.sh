@@ -81,6 +81,10 @@ for load in 3 6; do
 done
 same "no doubt but what it is" 0 "$(grep -c neglected err)"
 
+# What is of similar bodies alone, and a cycle that begins with Q.
+printf 'P,Q\n1,.1\n1,-.1\n' >cycle.csv
+cannot "--full-wear: is of similar bodies; --similar takes these as such" fretting cycle.csv --load 1,0 $cylinder --f .5 --rotation held --full-wear
+
 # ---- In other words ----
 # --similar neglects it, as similar bodies of this compliance and strain have it; and it is a doubt.
 does solve $wedge --P 8 --Q 2 --f .5 --similar

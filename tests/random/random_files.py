@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Files at random for "rwedge solve --input", and logs for "rwedge history". What another program has written as CSV comes through as it was; whatever bytes a
-file has, the command ends with a status of its own, and what it has written can be read.
+"""Files at random for "rwedge solve --input", logs for "rwedge history", tests for "rwedge fretting --input". What another program
+has written as CSV comes through as it was; whatever bytes a file has, the command ends with a status of its own, and what it has
+written can be read.
     random_files.py PROGRAM FILES [SEED]"""
 import csv
 import io
@@ -26,6 +27,15 @@ LOGS = [text.encode(*encoding) for text, *encoding in [
     ("P,M,Q,sigma\n1000,0,100,0\nNaN,1,2,3\n-9999,,0,0\n",), ("P [kN/mm],Q [lbf/in],x\n0.1,100,1\n0.1,-100,2\n", "cp1252")]]
 LOG_OPTIONS = [[], ["--units", "mm,N,MPa"], ["--units", "mm,N,MPa", "--width", "8", "--drop"], ["--decimal-comma", "--units", "m,N,Pa", "--width", "1"],
                ["--units", "in,lbf,psi", "--column", "P=Load(8801:Load)", "--encoding", "cp1252"], ["--format", "json", "--until", "--drop"]]
+
+
+# series of tests, right and wrong
+TESTS = [text.encode(*encoding) for text, *encoding in [
+    ("test,a,P,Q_max,Q_min,sigma_max,life_tested\n1,2,2000,300,,5,1e5\n2,1,1000,100,-50,,>1e6\n3,1,,100,,,\n",),
+    ("Rig\n\ntest;a;p0;Q_max;M;swt_limit\n-;mm;MPa;N;N;MPa\n1;2;30;800;;0.1\n2;2;x;1;1;0\n",),
+    ("a\tP\tQ_max\tloads\tsigma_before\n1\t1000\t\tnowhere.csv\t3\n1\t1000\t9\t\t3\n", "utf-16")]]
+TEST_OPTIONS = [[], ["--fit-length"], ["--length", "0.1", "--format", "json"], ["--units", "mm,N,MPa", "--width", "8"],
+                ["--decimal-comma"], ["--material", '{"sf": 900, "b": -0.1, "ef": 0.5, "c": -0.6}', "--format", "json", "--fit-length"]]
 
 
 def solve(program, data, options, command=("solve", "--input", "-", "--threads", "1")):
@@ -81,6 +91,7 @@ def main(program, files, seed="2026"):
     for _ in range(int(files)):
         check_any(program, draw, FILES, OPTIONS, "solve", "--input", "-", "--threads", "1")
         check_any(program, draw, LOGS, LOG_OPTIONS, "history", "-", *CONTACT, "--a", "2")
+        check_any(program, draw, TESTS, TEST_OPTIONS, "fretting", "--input", "-", *CONTACT)
     print("%s files" % files)
 
 

@@ -62,6 +62,9 @@ void specimen_take(const arguments *line, const load_history *loads, const load_
  * is said. */
 void loads_filter(const arguments *line, double f, load_history *loads);
 
+/* Refuses it where the half-plane stays, after words such as "in a report". */
+void specimen_refuse(const arguments *line, const char *where);
+
 /* ---- places ---- The points of body 1 that are looked at: a list, a file of them, or a grid. */
 
 enum {

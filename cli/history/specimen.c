@@ -40,6 +40,14 @@ static void say(double t, double P, const contact_case *setup)
         t / b, 20 * share * pow(b / t, 4), 0.4893 * P / t, 0.2446 * share * setup->A / t);
 }
 
+void specimen_refuse(const arguments *line, const char *where)
+{
+    const char *text = line->value[OPTION_SPECIMEN_THICKNESS];
+    if (text != NULL || line->value[OPTION_OPPOSITE] != NULL)
+        usage_error("--specimen-thickness%s%s: not %s; allowed: history, fretting, crack",
+                    text != NULL ? " " : "", text != NULL ? text : "", where);
+}
+
 void specimen_take(const arguments *line, const load_history *loads, const load_history *before,
                    contact_case *setup)
 {

@@ -107,6 +107,7 @@ void report_compute(const arguments *line, report *to)
     to->name = read_name(line);
     input_texts_from_options(line, &to->texts);
     input_options_check_hull(line);
+    specimen_refuse(line, "in a report, whose results are of a half-plane");
     history_check(line);
     to->has_history = history_is_given(line);
     read_state(line, to);

@@ -148,4 +148,8 @@ if command -v gnuplot >/dev/null 2>&1; then
 else
     echo "SKIPPED: pictures, for lack of gnuplot"
 fi
+# A specimen of finite thickness would be beside results of a half-plane.
+refuses "--specimen-thickness 5: not in a report, whose results are of a half-plane; allowed: history, fretting, crack" \
+    report $steel --radius 50 --f 0.3 --load 300,0 --load 300,20 --specimen-thickness 5 --no-pictures
+
 finish

@@ -42,6 +42,10 @@ CLAIM(johnsons_limits_of_hertz_contact_are_found)
     double y, limit;
     assert_close(p0 * limit_at(1, 0, 0.5, &y), 4, 1e-12);
     assert_within(y, 0.5, 1e-6);
+    /* by cutting planes over a path of another program */
+    assert_within(p0 * limit_at(1, 0.1, 0.5, NULL), 3.56421, 1e-5);
+    assert_within(p0 * limit_at(1, 0.2, 0.5, NULL), 3.20237, 1e-5);
+    assert_within(p0 * limit_at(1, 0.3, 0.5, NULL), 2.89958, 1e-5);
     for (double f = 0.38; f < 1; f += 0.1) {
         assert_close(p0 * limit_at(1, f, 0.5, &y), 1 / f, 1e-10);
         assert_true(y == 0);

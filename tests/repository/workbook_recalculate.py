@@ -200,7 +200,7 @@ def late_case(draw, i):
 
 def solve(case, *options):
     """The results of "rwedge solve", as texts; None where it refuses."""
-    inputs = ["--%s=%r" % (name.replace("_", "-"), value) for name, value in case.items()] + list(options)
+    inputs = ["--similar"] + ["--%s=%r" % (name.replace("_", "-"), value) for name, value in case.items()] + list(options)
     done = subprocess.run([RWEDGE, "solve", "--layout", "row"] + inputs, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL,
                           universal_newlines=True)
     return next(csv.DictReader(done.stdout.splitlines()), None)

@@ -30,11 +30,12 @@ SWT_LIFE = [*SWT, 475.4, -0.078, 0.612, -0.62, 0]
 OWN = {**{(name, "constants"): SWT for name in ("criterion", "criterion_field", "cycle_worst")},
        **{(name, "constants"): SWT_LIFE for name in ("life", "damage", "damage_field")},
        ("contact_create", "f"): 0.3, ("series_fit", "terms"): 2, ("validity", "beta"): 0, ("series_coefficient", "k"): 2,
+       ("contact_set_bodies", "E2"): 200e3, ("contact_set_bodies", "nu2"): 0.3,
        ("yield_load", "f"): 0.3, ("contact_create_flat", "f"): 0.3,
        ("contact_create_profile", "f"): 0.3, ("cycle_worst", "y"): 0, ("contact_apply", "M"): 0,
        ("contact_apply", "Q"): 500, ("contact_guide", "tilt"): 0, ("contact_guide", "Q"): 500,
        ("contact_drive", "M"): 0, ("contact_drive", "sigma"): 0, ("contact_drive", "displacement"): 1e-3, ("contact_drive", "compliance"): 1e-6}
-UNLOADED = {"contact_set_strain"}  # refused once the bodies touch
+UNLOADED = {"contact_set_strain", "contact_set_beta", "contact_set_bodies"}  # refused once the bodies touch
 HELD = {"contact_guide"}  # of a contact that is held
 # The tool's command with the same numbers.
 COMMANDS = {

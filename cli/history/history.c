@@ -94,9 +94,13 @@ static void write_after(const after_load *row, records *rows)
 
 /* ---- The command ---- */
 
+enum { OPTION_PER_CYCLE = OPTION_AFTER_PLACES };
+
 static const struct poptOption options[] = {
     CONTACT_OPTIONS,
     {INCLUDED(history_option_table), "Its loads:", NULL},
+    {FLAG("per-cycle", OPTION_PER_CYCLE), "A row for each whole cycle of the log, and their mean",
+     NULL},
     {INCLUDED(place_option_table), "Stresses at points in place of a row for each load:", NULL},
     {NO_FORMULAS_OPTION},
     {INCLUDED(output_option_table), "Common options:", NULL},
@@ -116,6 +120,10 @@ static void describe(FILE *stream)
           "\nResults, a row for each load:\n",
           stream);
     columns_describe(columns, AFTER_COUNT, 13, stream);
+    fputs("\nWith --per-cycle, a row for each whole cycle of the log, which begins where Q (or\n"
+          "the displacement, or sigma) rises through the middle of its range:\n",
+          stream);
+    columns_describe(cycle_columns, CYCLE_COLUMNS, 16, stream);
     fputs("\nWith points, a row for each load and point: load, x, y (the depth), sxx, syy,\n"
           "szz, txy, s1, s2, von_mises, tau_max.\n"
           "\nLoads that have no closed form are computed. With --exact they are an error that\n"
@@ -199,6 +207,15 @@ static int history(const arguments *line)
     input_texts_from_options(line, &texts);
     contact_history_read(line, &texts, how.decimal_sign, 1, 1, &job.history);
     const bool has_points = job.at.count > 0;
+    if (line->value[OPTION_PER_CYCLE] != NULL) {
+        if (has_points)
+            usage_error("--per-cycle: not with points");
+        cycle_table *table = cycle_table_compute(&job.history);
+        output_options_write(&how, cycle_table_write, table);
+        cycle_table_free(table);
+        unused_say(&job.history.loads.names, job.history.loads.name);
+        return STATUS_DONE;
+    }
     for (int i = 0; i < (has_points ? (int)POINT_COLUMNS : (int)AFTER_COUNT); i++)
         passed_check(&job.history.loads, has_points ? point_columns[i] : columns[i].name);
     if (!has_points)

@@ -56,14 +56,43 @@ size_t contact_history_go(const contact_history *history, load_visitor *visit, v
 void specimen_take(const arguments *line, const load_history *loads, const load_history *before,
                    contact_case *setup);
 
+/* Refuses it where the half-plane stays, after words such as "in a report". */
+void specimen_refuse(const arguments *line, const char *where);
+
 /* ---- load_filters ---- A log as it was measured, made fit. */
 
 /* By --clip, under this friction, and by --turning-points: the loads that are left. What was done
  * is said. */
 void loads_filter(const arguments *line, double f, load_history *loads);
 
-/* Refuses it where the half-plane stays, after words such as "in a report". */
-void specimen_refuse(const arguments *line, const char *where);
+/* ---- log_cycles ---- The cycles of a log, by what goes to and fro in it. */
+
+typedef double load_part(const load *at);
+
+/* The displacement; what tells the cycles of loads: that, where a rig drives them, else Q, or sigma
+ * where Q stays. */
+load_part load_displacement;
+load_part *load_part_of_cycles(size_t count, const load row[]);
+
+/* The rows at which cycles begin: the part rises through the middle of its range. The last is where
+ * the last whole one ends. To be freed. */
+typedef struct {
+    size_t *at;
+    size_t count; /* one more than the whole cycles, or 0 */
+} log_cycles;
+
+log_cycles log_cycles_find(size_t count, const load row[], load_part *part);
+
+/* ---- cycle_rows ---- What a contact undergoes in each whole cycle of a log. */
+
+enum { CYCLE_COLUMNS = 9 };
+extern const column_kind cycle_columns[CYCLE_COLUMNS];
+
+/* Goes through the loads; a row for each cycle, then their mean. */
+typedef struct cycle_table cycle_table;
+cycle_table *cycle_table_compute(const contact_history *history); /* to be freed */
+void cycle_table_write(void *of_table, records *rows);
+void cycle_table_free(cycle_table *table);
 
 /* ---- places ---- The points of body 1 that are looked at: a list, a file of them, or a grid. */
 

@@ -46,7 +46,7 @@ static void describe(FILE *stream)
 typedef struct {
     contact_case setup;
     load_history log;
-    loop_cycles cycles;
+    log_cycles cycles;
     bool is_by_cycle, is_fitted;
     loop_fit *fit; /* of the log, or of each cycle */
     size_t fits;
@@ -94,7 +94,7 @@ static void write_row(const plan *job, size_t i, const char *quantity, cell valu
 /* Of a whole cycle, or the mean of those of the log. */
 static void write_energy(const plan *job, size_t i, records *rows)
 {
-    const loop_cycles *cycles = &job->cycles;
+    const log_cycles *cycles = &job->cycles;
     const size_t first = job->is_by_cycle ? i : 0, end = job->is_by_cycle    ? i + 1
                                                          : cycles->count > 0 ? cycles->count - 1
                                                                              : 0;
@@ -175,7 +175,7 @@ static void read_plan(const arguments *line, output_options *how, plan *job)
         failure("%s: column tilt: a log of a loop has none; allowed: --tilt", job->log.name);
     job->is_by_cycle = line->value[OPTION_BY_CYCLE] != NULL;
     job->is_fitted = line->value[OPTION_FITTED] != NULL;
-    job->cycles = loop_cycles_find(job->log.count, job->log.load);
+    job->cycles = log_cycles_find(job->log.count, job->log.load, load_displacement);
 }
 
 static int loop(const arguments *line)

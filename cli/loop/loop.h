@@ -2,8 +2,7 @@
 #ifndef CLI_LOOP_H
 #define CLI_LOOP_H
 
-#include "rows/rows.h"
-#include "setup/setup.h"
+#include "history/history.h"
 
 /* ---- loop_fit ---- Friction, compliance and offset from Q over the displacement. */
 
@@ -25,16 +24,7 @@ typedef struct {
 bool loop_fit_find(const contact_case *setup, size_t count, const load row[], loop_fit *fit,
                    complaint *why);
 
-/* ---- loop_cycles ---- The cycles of a log, by its displacement. */
-
-/* Where cycles begin: the displacement rises through the middle of its range. The last is where the
- * last whole one ends. To be freed. */
-typedef struct {
-    size_t *at;
-    size_t count; /* one more than the whole cycles, or 0 */
-} loop_cycles;
-
-loop_cycles loop_cycles_find(size_t count, const load row[]);
+/* ---- loop_area ---- The energy of a loop. */
 
 /* The area that Q encloses over the displacement between two rows, and its standard deviation under
  * a noise of Q. */

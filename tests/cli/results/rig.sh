@@ -79,6 +79,28 @@ does history smooth.csv $cylinder --turning-points 0.01
 message_has "10 of 401 rows are left; nothing turns in between"
 close_to "the energy" "$(column energy first | tail -n 1)" "$(column energy out | tail -n 1)" 1e-9
 
+# ---- Cycle by cycle ----
+# A cycle of the log is what the loads before and in it make of the contact: of the last one, "fretting" tells the same.
+does history "$gross" $cylinder $compliance --per-cycle
+same "columns" "cycle,first_load,loads,energy_per_cycle,never_left,never_right,slip_range,Q_min,Q_max" "$(head -n 1 out)"
+same "cycles" "1 101 100|2 201 100|3 301 100|4 401 100|mean - 100" "$(awk -F, 'NR > 1 { print $1, $2 == "" ? "-" : $2, $3 }' out | paste -s -d '|' -)"
+per_cycle=$(by_name '$cycle == 4 { print $energy_per_cycle }' out)
+close_to "energy of the last but one, by the area" "$(by_name "NR > 302 && NR <= 402 { area += (\$Q + q) / 2 * (\$displacement - d) }
+    { q = \$Q; d = \$displacement } END { printf \"%.17g\", area }" "$gross")" "$(by_name '$cycle == 3 { print $energy_per_cycle }' out)" 6e-3
+close_to "mean" "$(by_name '$cycle ~ /^[0-9]/ && $cycle < 5 { sum += $energy_per_cycle / 4 } END { printf "%.17g", sum }' out)" \
+    "$(by_name '$cycle == "mean" { print $energy_per_cycle }' out)" 1e-12
+# To and fro under constant P: what never slips, Mindlin's b sqrt(1 - Q/(f P)).
+awk 'BEGIN { print "P,Q"; for (i = 0; i <= 200; i++) print 400 "," 150 * sin(i * 0.0628318530717959) }' >smooth.csv
+does_quietly history smooth.csv $cylinder --per-cycle
+never=$(by_name '$cycle == "mean" { print $never_right }' out)
+run history smooth.csv $cylinder
+close_to "the zone that never slips" "$(by_name 'NR == 2 { printf "%.17g", $right * sqrt(1 - 150 / 240) }' out)" "$never" 1e-6
+refuses "--per-cycle: the cycles are those of the log; allowed: --cycles 1" history smooth.csv $cylinder --per-cycle --cycles 2
+refuses "--per-cycle: not with points" history smooth.csv $cylinder --per-cycle --at 0,0
+head -n 40 smooth.csv >part.csv
+fails_with_status 1 "part.csv: no whole cycle: Q does not rise twice through the middle of its range, nor ends where it began" \
+    history part.csv $cylinder --per-cycle
+
 # ---- Columns and words ----
 printf 'P [kN],displacement [um],Q\n4,10,1\n4,-10,1\n' >units.csv
 printf 'P,displacement\n400,0.01\n400,-0.01\n' >plain.csv

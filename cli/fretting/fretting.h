@@ -82,7 +82,7 @@ void worst_write_rows(void *of_worst, records *rows);
 
 /* ---- series_table ---- A table of tests, each gone through. */
 
-/* For the tables of commands, after the criteria; the angle is a command's own entry. */
+/* The tables of commands have them after the criteria; the angle is a command's own entry. */
 enum {
     OPTION_TESTS = OPTION_AFTER_CRITERIA,
     OPTION_FIT_LENGTH,

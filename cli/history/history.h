@@ -17,7 +17,7 @@ enum {
     OPTION_AFTER_HISTORY
 };
 
-/* For a command's own table, by POPT_ARG_INCLUDE_TABLE, after that of the inputs. */
+/* A command's own table includes it, by POPT_ARG_INCLUDE_TABLE, after that of the inputs. */
 extern struct poptOption history_option_table[];
 
 typedef struct {

@@ -10,7 +10,7 @@ enum { LOOP_F, LOOP_COMPLIANCE, LOOP_OFFSET, LOOP_PARTS };
 
 typedef enum { LOOP_STICKS, LOOP_PARTIAL, LOOP_GROSS } loop_regime;
 
-/* Of each part its value, and the standard deviation that the noise of Q gives it: NAN where the
+/* The value of each part, and the standard deviation that the noise of Q gives it: NAN where the
  * loop does not tell it. */
 typedef struct {
     double value[LOOP_PARTS], uncertainty[LOOP_PARTS];

@@ -128,8 +128,8 @@ const char *shipped_material_hint(const char *name);
 /* ---- load_history ---- A history of loads, in straight steps, as the command line or a CSV file
  * gives it: read whole, and then applied, once or again and again. */
 
-/* For a command's own table, by POPT_ARG_INCLUDE_TABLE: --load, --history, --encoding, and how
- * exact they are. */
+/* --load, --history, --encoding, and how exact loads are: a command's own table includes them, by
+ * POPT_ARG_INCLUDE_TABLE. */
 enum {
     OPTION_HISTORY = OPTION_AFTER_INPUTS,
     OPTION_LOAD, /* may be repeated */
@@ -226,7 +226,7 @@ enum {
     OPTION_AFTER_LOADED
 };
 
-/* For a command's own table, by POPT_ARG_INCLUDE_TABLE: the contact, its strength, its loads. */
+/* The contact, its strength and its loads: a command's own table includes them. */
 extern struct poptOption loaded_contact_option_table[];
 
 typedef struct {

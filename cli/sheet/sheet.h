@@ -31,7 +31,8 @@ typedef enum {
 /* NULL; or why this build cannot write such files. */
 const char *xlsx_missing(void);
 
-/* For the output. Cells come row by row from the left, and take no memory. */
+/* Begins a workbook that goes to the output. Cells come row by row from the left, and take no
+ * memory. */
 xlsx *xlsx_begin(output *out, const char *title);
 
 /* What follows goes to the sheet of this name, which is added where there is none. */

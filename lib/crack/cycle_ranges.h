@@ -6,7 +6,7 @@
 #include "crack/cycle_crack.h"
 #include "crack/ranges.h"
 
-/* Of at most RW_CRACK_LENGTHS lengths. shear is RWEDGE_FACES_MODE_I and so on. */
+/* The ranges at n <= RW_CRACK_LENGTHS lengths. shear is RWEDGE_FACES_MODE_I and so on. */
 int32_t rw_cycle_ranges(rw_crack *crack, int32_t shear, size_t n, const double length[],
                         rw_crack_range range[]);
 

@@ -46,8 +46,8 @@ double rw_peak_friction(const rw_frame *frame, rw_patch contact);
 bool rw_frame_fit(const rw_frame *frame, rw_patch contact, double mean, double slope, double peak,
                   rw_traction *traction);
 
-/* Of unlike bodies `own` is what the pad alone makes, which is that of another friction; of similar
- * bodies it is NULL: that is all. */
+/* Friction over a contact. `own` is what the pad alone makes, where bodies are unlike: that of
+ * another friction. It is NULL where they are similar. */
 typedef struct {
     rw_patch contact;
     double tolerance, peak;
@@ -60,11 +60,11 @@ static inline const rw_traction *rw_own_friction(const rw_friction *friction)
     return friction->own ? friction->own : &friction->traction;
 }
 
-/* Of similar bodies. false where memory is short; then there is nothing to destroy. */
+/* Makes that of similar bodies. false where memory is short; then there is nothing to destroy. */
 bool rw_friction_create(rw_friction *friction, const rw_frame *frame, rw_patch contact);
 
-/* Of unlike bodies: that of the pad alone, which is to live as long, and f B L[t]. Kinks are those
- * of t on the contact. */
+/* Makes that of unlike bodies: that of the pad alone, which is to live as long, and f B L[t]. Kinks
+ * are those of t on the contact. */
 bool rw_friction_couple(rw_friction *friction, const rw_frame *frame, const rw_friction *alone,
                         const rw_bounded_inverse *inverse, int kinks, const double kink[]);
 void rw_friction_destroy(rw_friction *friction);

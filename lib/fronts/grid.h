@@ -24,8 +24,8 @@ typedef struct {
 
 enum { RW_GONE = 9 };
 
-/* For n <= RW_MOST_ANGLES angles, a multiple of RW_TERMS. false where memory is short; then there
- * is nothing to destroy. */
+/* Makes a grid of n <= RW_MOST_ANGLES angles, a multiple of RW_TERMS. false where memory is short;
+ * then there is nothing to destroy. */
 bool rw_grid_init(rw_grid *grid, int n);
 void rw_grid_destroy(rw_grid *grid);
 

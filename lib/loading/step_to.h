@@ -5,7 +5,7 @@
 
 #include "contact/contact.h"
 
-/* Of the tilt over theta: closer to 1 the edges are lost in rounding. */
+/* The largest tilt over theta: closer to 1 the edges are lost in rounding. */
 #define RW_LARGEST_TILT (1 - 1e-9)
 
 /* The step to the loads. RWEDGE_EDOMAIN, RWEDGE_ERANGE and RWEDGE_ESLIDING where they are not

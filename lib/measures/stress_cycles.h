@@ -17,7 +17,7 @@ typedef struct {
     bool is_plane_stress;
 } rw_stress_field;
 
-/* Of each point of a field; the angles are those of the plane, 0 where there is none. */
+/* Numbers for each point of a field; the angles are those of the plane, 0 where there is none. */
 typedef struct {
     double *value, *angle, *out_of_plane;
 } rw_criterion_results;

@@ -11,7 +11,7 @@
 
 #include "numerical/step.h"
 
-/* As rw_implicit_step(). */
+/* Does what rw_implicit_step() does, of unlike bodies. */
 bool rw_coupled_step(rw_work *work, const rw_numerical_state *from, rw_scaled_loads to,
                      const rw_zones *guess, bool coarse, rw_numerical_state *there);
 

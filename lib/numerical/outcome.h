@@ -30,7 +30,7 @@ bool rw_outcome_of_fronts(rw_fronts *fronts, rw_outcome *outcome);
 bool rw_outcome_of_grid(const rw_fronts *fronts, const rw_grid *grid, const rw_problem *problem,
                         const rw_layers *layers, rw_outcome *outcome);
 
-/* Of fronts that are known to be right: slip and energy alone. */
+/* Slip and energy alone, of fronts that are known to be right. */
 void rw_outcome_of_slip(rw_fronts *fronts, rw_outcome *outcome);
 
 #endif

@@ -28,8 +28,8 @@ static inline double rw_squared_distance(const rw_point *p, const rw_point *q)
     return sum;
 }
 
-/* Of n >= 1 points, whose coordinates are between -1e30 and 1e30. Error of the radius and the
- * centre below 32 epsilon of the largest coordinate. The time grows like n. */
+/* The ball of n >= 1 points, whose coordinates are between -1e30 and 1e30. Its radius and centre
+ * err by less than 32 epsilon of the largest coordinate. The time grows like n. */
 rw_ball rw_smallest_ball(size_t n, const rw_point points[]);
 
 /* The same of the points and their mirror images on the other side of x[2] = 0, where the centre

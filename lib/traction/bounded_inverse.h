@@ -15,8 +15,8 @@ typedef struct {
     double moment[3]; /* int u^n t/|X| ds, u in half-widths from the middle */
 } rw_bounded_inverse;
 
-/* Of a function on a patch; breaks and tolerance as in rw_traction_fit(). false where memory is
- * short; then there is nothing to destroy. */
+/* Makes that of a function on a patch, with breaks and tolerance as in rw_traction_fit(). false
+ * where memory is short; then there is nothing to destroy. */
 bool rw_bounded_inverse_create(rw_bounded_inverse *inverse, rw_patch patch, rw_values t,
                                const void *context, size_t breaks, const double at[],
                                double tolerance);

@@ -24,7 +24,7 @@ void rw_power_rule_init(rw_power_rule *rule, double a);
 rw_complex rw_power_integral(const rw_power_rule *rule, rw_complex w, rw_complex rest,
                              double angle);
 
-/* For a real w <= 0. */
+/* The same for a real w <= 0. */
 double rw_power_integral_below(const rw_power_rule *rule, double w);
 
 #endif

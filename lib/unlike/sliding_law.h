@@ -4,8 +4,8 @@
 
 #include "unlike/sliding_patch.h"
 
-/* Of a wedge whose contact has the half-width 1 and slides with Q > 0: its load, middle and tilt,
- * and b s1/(fP) at the trailing edge. NaN where it is not found. */
+/* The load, middle and tilt of a wedge whose contact has the half-width 1 and slides with Q > 0;
+ * and b s1/(fP) at the trailing edge. NaN where they are not found. */
 typedef struct {
     double load, middle, tilt, tension;
 } rw_sliding_law;

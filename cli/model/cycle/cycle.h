@@ -237,7 +237,8 @@ typedef struct {
     double x, y, value, cycles;
 } worst_row;
 
-/* Of places that are measured; on their lines also between them. Returns the library's status. */
+/* The worst of the places that are measured, and of those between them on their lines. Returns the
+ * library's status. */
 int32_t worst_places(const last_cycle *cycle, const measured *result, worst_row row[COLUMN_MAX]);
 
 /* What a criterion comes to at a place: its value, what it must not exceed, that over the value;

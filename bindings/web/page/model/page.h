@@ -44,7 +44,7 @@ const char *json_end(void);
  * the whole contact are divided by, and "section" what a tension that is a force is. */
 input_texts field_texts(char *fields);
 
-/* Of the last texts: the units; the name of the profile, NULL for none, and how it was made. */
+/* The units of the last texts; the name of their profile, NULL for none, and how it was made. */
 const unit_system *field_units(void);
 const char *field_profile(void);
 const profile_making *field_making(void);
@@ -65,7 +65,7 @@ unit_system units_named(const char *words);
 
 /* ---- resolution ---- How well a measured profile is resolved. */
 
-/* Of the profile of the form, for a case whose contact is under its loads. */
+/* Writes that of the form's profile, for a case whose contact is under its loads. */
 void resolution_write(const contact_case *setup);
 
 /* ---- answers ---- About the case of the form. */

@@ -343,98 +343,33 @@ static void put_shakedown(const report *from, output *out)
     output_text(out, " times it goes on yielding.");
 }
 
-/* ---- What was assumed ---- */
+/* ---- What was assumed, and which errors are told ---- */
 
-static void item(output *out, const char *text)
+static void item(void *to, const char *text)
 {
+    output *out = to;
     output_text(out, "<li>");
     put(out, text);
     output_text(out, "</li>\n");
 }
 
-static void assume_bodies(const report *from, output *out)
-{
-    const contact_case *setup = &from->setup;
-    item(out,
-         setup->is_plane_stress ? "Plane stress: a thin plate." : "Plane strain: a long contact.");
-    item(out, "Both bodies are elastic half-planes beside the contact, and slopes are small.");
-    if (isinf(setup->E2))
-        item(out, "Body 2 is rigid.");
-    else if (!input_is_given(&from->texts, INPUT_E2))
-        item(out, "Body 2 is of the material of body 1.");
-    if (setup->is_coupled)
-        item(out, "Of unlike bodies, friction changes the pressure: that is computed.");
-    else if (setup->beta != 0 && setup->f > 0)
-        item(out, "Of unlike bodies, friction does not change the pressure (Dundurs' beta is "
-                  "neglected).");
-    if (setup->shape.places != NULL)
-        item(out, from->line->value[OPTION_FIT] != NULL
-                      ? "The pad is the convex profile that fits its heights."
-                  : from->line->value[OPTION_HULL] != NULL
-                      ? "The pad is the convex hull of its heights."
-                      : "The pad is its profile, linear in the slopes.");
-}
-
-static void assume_loads(const report *from, output *out)
-{
-    const contact_case *setup = &from->setup;
-    if (setup->f == 0)
-        item(out, input_is_given(&from->texts, INPUT_F)
-                      ? "No friction."
-                      : "No friction is given: it is taken for 0.");
-    else
-        item(out, "Coulomb friction, the same everywhere; the bodies do not wear.");
-    if (from->has_history)
-        item(out, "The loads follow one another in straight steps, from bodies that are apart.");
-    else if (setup->f > 0)
-        item(out, "P and M come first, then Q and sigma grow together.");
-    if (setup->is_held)
-        item(out, "The pad is held at its tilt; M is a result.");
-    else if (setup->is_coupled)
-        item(out, "The pad is free to tilt.");
-}
-
-static void assume_strength(const report *from, output *out)
-{
-    if (isnan(from->setup.k))
-        return;
-    item(out, "First yield by von Mises. What is of full sliding takes Q = f P, whatever Q is.");
-    item(out, "Shakedown: perfect plasticity, small strains, the same loads pass after pass.");
-}
-
 static void put_assumed(const report *from, output *out)
 {
-    assume_bodies(from, out);
-    assume_loads(from, out);
-    assume_strength(from, out);
-    if (from->line->value[OPTION_UNITS] == NULL)
-        item(out, "The numbers are in consistent units, such as N, mm and MPa; P, M and Q per unit "
-                  "length.");
-    else if (from->line->value[OPTION_WIDTH] != NULL)
-        item(out, "P, M and Q are per unit length: given for the whole width, and divided by it.");
+    char *const *value = from->line->value;
+    const case_said said = {.has_history = from->has_history,
+                            .has_E2 = input_is_given(&from->texts, INPUT_E2),
+                            .has_f = input_is_given(&from->texts, INPUT_F),
+                            .fits = value[OPTION_FIT] != NULL,
+                            .takes_hull = value[OPTION_HULL] != NULL,
+                            .has_units = value[OPTION_UNITS] != NULL,
+                            .has_width = value[OPTION_WIDTH] != NULL};
+    assumptions_tell(&from->setup, &said, item, out);
 }
-
-/* ---- Which errors are told ---- */
 
 static void put_errors(const report *from, output *out)
 {
-    char text[DOUBT_SIZE];
-    doubts all = from->doubts;
-    if (!(all.error > 0))
-        item(out,
-             "All is in closed form: numerical errors are far below the digits that are shown.");
-    while (doubts_next(&all, text))
-        item(out, text);
-    if (from->setup.shape.places != NULL && from->setup.shape.places->arcs > 0) {
-        output_text(out, "<li>The fit of the profile leaves ");
-        put_number(out, from->setup.shape.places->rms);
-        output_print(out, " of the heights (root of the mean square), with %d arcs.</li>\n",
-                     (int)from->setup.shape.places->arcs);
-    }
-    if (from->has_history && !from->last.slip_known)
-        item(out, "The slip has no closed form after these loads: what depends on it is not told.");
-    if (!doubts_matter(from->doubts))
-        item(out, "Nothing else makes these numbers doubtful.");
+    const bool lacks_slip = from->has_history && !from->last.slip_known;
+    errors_tell(&from->setup, from->doubts, lacks_slip, item, out);
 }
 
 /* ---- Equations ---- */

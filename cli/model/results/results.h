@@ -141,6 +141,23 @@ int equations_of(const contact_case *setup, const results *answer, equation to[E
 bool inverse_find_stress(const input_texts *texts, int input, double factor, bool slides,
                          double *value, complaint *why);
 
+/* ---- assumptions ---- What a report says of a case beside its numbers. */
+
+typedef void remark_teller(void *context, const char *text);
+
+/* What was said of a case, beside its numbers. */
+typedef struct {
+    bool has_history, has_E2, has_f, fits, takes_hull, has_units, has_width, is_of_body2;
+} case_said;
+
+/* What was assumed, a sentence each. */
+void assumptions_tell(const contact_case *setup, const case_said *said, remark_teller *tell,
+                      void *context);
+
+/* Which errors the numbers have that have these doubts. */
+void errors_tell(const contact_case *setup, doubts all, bool lacks_slip, remark_teller *tell,
+                 void *context);
+
 /* ---- verdict ---- The verdict: a summary of all results of a contact. */
 
 typedef struct {

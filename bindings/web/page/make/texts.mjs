@@ -72,6 +72,7 @@ const texts = {
     citation: read("CITATION.cff"),
     licence: read("LICENSE"),
     licences: licences(),
+    report: read("cli/report/page.html"),
     materials: materials(),
 };
 console.log(`export const texts = ${JSON.stringify(texts)};`);

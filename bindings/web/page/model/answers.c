@@ -179,7 +179,36 @@ static void write_zones(const rwedge_contact *contact)
     free(edges);
 }
 
-static void write_results(const contact_case *setup, char decimal_sign, const char *length)
+static void add_assumed(void *context, const char *text)
+{
+    (void)context;
+    json_add("{'assumed':[%t]}", text);
+}
+
+static void add_told(void *context, const char *text)
+{
+    (void)context;
+    json_add("{'told':[%t]}", text);
+}
+
+/* As a report has them: what was assumed, which errors are told. */
+static void write_remarks(const contact_case *setup, const input_texts *texts,
+                          const results *answer)
+{
+    const profile_making *making = field_making();
+    const case_said said = {.has_E2 = input_is_given(texts, INPUT_E2),
+                            .has_f = input_is_given(texts, INPUT_F),
+                            .fits = making->fits,
+                            .takes_hull = making->takes_hull,
+                            .has_units = field_units()->is_known,
+                            .has_width = !isnan(field_units()->width),
+                            .is_of_body2 = field_is_of_pad()};
+    assumptions_tell(setup, &said, add_assumed, NULL);
+    errors_tell(setup, answer->doubts, false, add_told, NULL);
+}
+
+static void write_results(const contact_case *setup, const input_texts *texts, char decimal_sign,
+                          const char *length)
 {
     results answer;
     complaint why;
@@ -209,6 +238,7 @@ static void write_results(const contact_case *setup, char decimal_sign, const ch
                      value->text == NULL ? value->number : NAN);
     }
     write_verdict(verdict_of(&answer, decimal_sign, length));
+    write_remarks(setup, texts, &answer);
 }
 
 /* Of the case of the form: its inputs, numbers and results, or what is wrong; its verdict, with the
@@ -221,7 +251,7 @@ EXPORTED const char *page_answer(char *fields, const char *length, int decimal_s
     json_begin();
     if (write_inputs(&texts, value) && take_body(&texts) &&
         write_case(&texts, CASE_OF_SOLVE, &setup))
-        write_results(&setup, (char)decimal_sign, length);
+        write_results(&setup, &texts, (char)decimal_sign, length);
     answers_hand_over(setup.contact);
     return json_end();
 }

@@ -2,7 +2,6 @@
 // The page: its parts, and when they are drawn.
 import { html, nothing, render } from "lit-html";
 import { live } from "lit-html/directives/live.js";
-import { rwedge } from "./answers/library.js";
 import { asCommand, asPython } from "./export.js";
 import { copyButton, download, fileName, options, remembered } from "./parts.js";
 import { form } from "./left/form.js";
@@ -15,6 +14,7 @@ import { carry } from "./plot/save.js";
 import { aside as history, worstPlace } from "./tabs/cycle.js";
 import { linesOf as shippedLines } from "./tabs/material.js";
 import { tabList, tabPanels } from "./tabs/tabs.js";
+import { fillReport } from "./report.js";
 import { isSilent, verdict } from "./verdict.js";
 import { unitsNamed, unitsRemark, unitSystems } from "./units.js";
 import * as states from "./state.js";
@@ -95,11 +95,7 @@ const theCase = (model) => html`
     </details>
 `;
 
-const onPaper = () =>
-    [state.name, new Date().toLocaleDateString(), `rwedge ${rwedge.version()}`].filter(Boolean).join(", ");
-
-const above = (model) => html`<p class="printed">${onPaper()}</p>
-    ${verdict(model, state.tab)}`;
+const above = (model) => verdict(model, state.tab);
 
 const answers = (model) => html`
     <p class="note bad" id="too-long" role="status" ?hidden=${!states.isTooLong()}>
@@ -147,6 +143,7 @@ states.drawWith(draw);
 document.getElementById("case").replaceChildren();
 begin();
 narrow.addEventListener("change", draw);
+window.addEventListener("beforeprint", () => fillReport(document.getElementById("report"), present.value));
 window.addEventListener("hashchange", () => {
     if (location.hash !== states.address()) begin();
 });

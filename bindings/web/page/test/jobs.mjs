@@ -5,6 +5,7 @@ import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
 import { mkdtempSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
+import { constants, inflateSync } from "node:zlib";
 import { assertNear, chance, optionsOf, usual } from "./shared.mjs";
 import { enter, savedBy, seen, settled, shownNumbers, statusOf } from "./drive.mjs";
 
@@ -159,13 +160,39 @@ export async function a_noisy_profile_in_micrometres({ page, tool }) {
     return hand.finished(note);
 }
 
-/** On one sheet of paper. */
-export async function the_case_is_printed({ page }) {
+/** How many sheets a PDF has: its objects may be in streams that are compressed. */
+function sheetsOf(pdf) {
+    const text = pdf.toString("latin1"),
+        inflated = [...text.matchAll(/stream\r?\n([^]*?)\r?\nendstream/g)].map(([, stream]) => {
+            try {
+                return inflateSync(Buffer.from(stream, "latin1"), { finishFlush: constants.Z_SYNC_FLUSH }).toString("latin1");
+            } catch {
+                return ""; // is compressed in another way
+            }
+        });
+    const counts = [text, ...inflated].flatMap((part) => [...part.matchAll(/\/Count (\d+)/g)].map(([, count]) => Number(count)));
+    return Math.max(...counts);
+}
+
+/** On one sheet of paper, by the template of the report: with the results that are on view, and three pictures; of a cycle too. */
+export async function the_case_is_printed({ page, show }) {
     const hand = handOf(page);
     await hand.fill("case-name", "pad 7");
-    let sheets;
-    await hand.key(async () => (sheets = Buffer.from(await page.pdf({ format: "A4" })).toString("latin1")));
-    assert.equal(sheets.match(/\/Type\s*\/Pages[^>]*\/Count (\d+)|\/Count (\d+)[^>]*\/Type\s*\/Pages/)?.slice(1).find(Boolean), "1");
+    let pdf;
+    await hand.key(async () => (pdf = Buffer.from(await page.pdf({ format: "A4" }))));
+    assert.equal(sheetsOf(pdf), 1);
+    const printed = () =>
+        page.$eval("#report", ({ shadowRoot }) => [shadowRoot.querySelector("h1").textContent, shadowRoot.textContent, shadowRoot.querySelectorAll("svg").length]);
+    const [name, text, pictures] = await printed(),
+        { b } = await shownNumbers(page);
+    assert.deepEqual([name, pictures], ["pad 7", 3]);
+    for (const words of [/Elastic with a factor of/, new RegExp(`half-width of the contact b${b}mm`), /Plane strain: a long contact\./, /All is in closed form/])
+        assert.match(text, words);
+    assert.ok(!/\{\{|undefined|--[a-z]/.test(text), text);
+    await show(usual, { tab: "cycle" });
+    await settled(page);
+    assert.equal(sheetsOf(Buffer.from(await page.pdf({ format: "A4" }))), 1);
+    assert.match((await printed())[1], /The cycle.*swt/s);
     return hand.finished();
 }
 

@@ -6,7 +6,7 @@ import { shortNumber, state } from "../state.js";
 import plotStyle from "./plot.css";
 
 /** The style with its colours written out, those of light mode: few programs that open an SVG know variables. */
-function styleOfFile() {
+export function styleOfFile() {
     const light = Object.fromEntries(
         [...plotStyle.matchAll(/(--[\w-]+):\s*light-dark\(([^,]+),/g)].map((m) => [m[1], m[2]]),
     );

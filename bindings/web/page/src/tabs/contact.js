@@ -5,6 +5,7 @@ import { remembered } from "../parts.js";
 import { isOffCentre } from "../answers/solution.js";
 import { groups, ofEdges, symbols } from "./symbols.js";
 import { resultKinds } from "../answers/words.js";
+import { curvesText } from "../plot/curves.js";
 import { curvePlot, noResults } from "../plot/live.js";
 import { withUnit } from "../model.js";
 import { placesAcross } from "../answers/stresses.js";
@@ -45,6 +46,9 @@ function groupPart(model, { title, names }) {
     const rows = shown.map((name) => ({ ...resultRow(model, name), symbol: symbols[name] }));
     return rows.some(({ value }) => value !== "") ? html`<h2>${title}</h2>${table(title, rows)}` : "";
 }
+
+/** As a picture of a report. */
+export const tractionsText = (model) => curvesText(plotOf(model, tractionsOf(model)));
 
 const allRows = (model) => Object.keys(resultKinds).map((name) => resultRow(model, name));
 const tractionsOf = remembered(tractions);

@@ -139,6 +139,9 @@ function answers(answer, model, isOld) {
 
 export const aside = new Aside("cycle", redraw);
 
+/** The loads and the worst places, where the tab is seen and has them. */
+export const cycleSeen = () => (state.tab === "cycle" && aside.answer && aside.answer.complaint === undefined ? aside.answer : null);
+
 /** On the surface, where the tab is seen and there is one. */
 export const worstPlace = () =>
     state.tab === "cycle" ? aside.answer?.worst?.[aside.answer.criterion.name]?.x : undefined;

@@ -60,10 +60,16 @@ const seenOf = remembered((model, measure, isFine) => {
 });
 const textOf = remembered(plotOf);
 
+const titleOf = (model, measure) => `${measures[measure].name} ${isOfPad(model) ? "in the pad, body 2" : "below the surface"}`;
+
+/** As a picture of a report: of what is chosen. */
+export const stressText = (model) =>
+    `<svg class="plot field" viewBox="${viewBox()}" role="img" aria-label="${titleOf(model, state.measure)}">${textOf(model, seenOf(model, state.measure, true), narrow.matches)}</svg>`;
+
 export function stress(model) {
     const { measure } = state,
         seen = model.results && seenOf(model, measure, !isMoving()),
-        title = `${measures[measure].name} ${isOfPad(model) ? "in the pad, body 2" : "below the surface"}`;
+        title = titleOf(model, measure);
     const point = (event) => follow(event, seen.grid);
     const plot =
         seen &&

@@ -371,7 +371,7 @@ enum {
  * which adds no doubt; 0 adds none either, except as safety.                                    new
  *   theta     any number; the angle between flank and surface, rad
  *   alpha     a/b under the load, any number; 0 is the sharp wedge
- *   beta      any number; rwedge_dundurs_beta()
+ *   beta      any number; rwedge_dundurs_beta(), or 0 where rwedge_contact_set_beta() has been told
  *   f         any number; the coefficient of friction
  *   k_over_E  any number; yield stress in pure shear over Young's modulus of the half-plane
  *   safety    any number; rwedge_yield_load() over P, or that of rwedge_contact_yield_factor() */

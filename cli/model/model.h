@@ -189,8 +189,8 @@ int32_t loads_apply(load to, rwedge_contact *contact);
 /* Holds the pad of a contact without loads at a tilt; returns the library's status. */
 int32_t loads_hold(double tilt, rwedge_contact *contact);
 
-/* Applies P and M, then Q and sigma together under constant P and M; returns the library's
- * status. */
+/* Applies P and M, of unlike bodies P before M, then Q and sigma together under constant P and M;
+ * returns the library's status. */
 int32_t loads_apply_monotonic(load to, rwedge_contact *contact);
 
 /* What is wrong with a load: which of its four numbers, INPUT_COUNT for none of them, and the rest

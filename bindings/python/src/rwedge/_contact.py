@@ -103,7 +103,8 @@ class Contact(ContactMethods):
     f : float
         coefficient of friction, 0 <= f <= 1e6
     beta : float, optional
-        ``dundurs_beta(E1, nu1, E2, nu2)``, to be warned where dissimilar bodies have friction, as that coupling is neglected
+        ``dundurs_beta(E1, nu1, E2, nu2)``, to be warned where dissimilar bodies have friction, as that coupling is neglected;
+        left out where ``set_bodies()`` or ``set_beta()`` follows, which take it into account
     tolerance : float, optional
         of q over f times the peak pressure, 1e-6 to 1e-2: how exactly loads without a closed form are computed (``error``); 0
         refuses them with ``PathError``. ``allow_error()`` changes it, and a copy and a restored contact have it too

@@ -7,12 +7,12 @@
 #include <math.h>
 #include <string.h>
 
-enum { FIGURE_COUNT = 19 };
+enum { FIGURE_COUNT = 20 };
 static const figure *const figures[FIGURE_COUNT] = {
     &figure_pressure, &figure_normal,    &figure_sliding, &figure_yield_point, &figure_tension,
     &figure_shear,    &figure_field,     &figure_loop,    &figure_eccentric,   &figure_history,
     &figure_fretting, &figure_measure,   &figure_crack,   &figure_wear,        &figure_shakedown,
-    &figure_contact,  &figure_tractions, &figure_stress,  &figure_tests};
+    &figure_contact,  &figure_tractions, &figure_stress,  &figure_tests,       &figure_measured};
 
 enum {
     OPTION_FIGURE_VARIABLE = OPTION_AFTER_CRACK,
@@ -174,11 +174,13 @@ static void refuse_others(const arguments *line, const figure *chosen)
 {
     const bool has_tests = chosen == &figure_tests, has_crack = chosen == &figure_crack;
     const bool has_measure = chosen == &figure_measure;
-    if (!chosen->has_history && !has_tests && any_is_given(line, OPTION_INPUT, OPTION_AFTER_PLACES))
-        usage_error("figure %s: a contact and its loads are for history, fretting, measure, "
-                    "crack, wear, contact, tractions, stress, tests, and loop with --history or "
-                    "--load",
-                    chosen->name);
+    if (!chosen->has_history && !has_tests && !chosen->has_loop &&
+        any_is_given(line, OPTION_INPUT, OPTION_AFTER_PLACES))
+        usage_error(
+            "figure %s: a contact and its loads are for history, fretting, measure, "
+            "crack, wear, contact, tractions, stress, tests, measured, and loop with --history or "
+            "--load",
+            chosen->name);
     if (!has_measure && !has_tests &&
         any_is_given(line, OPTION_AFTER_PLACES, OPTION_AFTER_CRITERIA))
         usage_error("figure %s: criteria and measures are for figure measure", chosen->name);
@@ -290,6 +292,29 @@ static void read_tests(const arguments *line, const output_options *how, figure_
     inputs->tests = &table;
 }
 
+/* The log stands for the loads, and tells the friction. */
+static void read_loop(const arguments *line, char decimal_sign, figure_case *inputs)
+{
+    arguments bodies = *line;
+    contact_case *setup = &inputs->history.setup;
+    load_history *log = &inputs->history.loads;
+    input_texts texts;
+    complaint why;
+    bodies.value[OPTION_INPUT + INPUT_NU1] = line->value[OPTION_FIGURE_VARIABLE + NU];
+    bodies.operand = NULL;
+    if (line->value[OPTION_HISTORY] == NULL)
+        usage_error("--history: missing; figure measured needs a log with P, Q and displacement");
+    if (line->value[OPTION_FIGURE_VARIABLE + FRICTION] != NULL)
+        usage_error("--f %s: the log tells the friction",
+                    line->value[OPTION_FIGURE_VARIABLE + FRICTION]);
+    input_texts_from_options(&bodies, &texts);
+    if (!case_read(&texts, CASE_LOADS_APART, setup, &why))
+        usage_error("%s", why.text);
+    load_history_read_measured(&bodies, decimal_sign, log);
+    if (!loop_fit_find(setup, log->count, log->load, &inputs->fit, &why))
+        failure("%s: %s", log->name, why.text);
+}
+
 static const char *read_picture_format(const arguments *line, output_options *how)
 {
     static const char *const formats[] = {"svg", "png", "pdf", NULL};
@@ -358,6 +383,8 @@ static int write_command(const arguments *line)
         read_history(line, how.decimal_sign, &inputs);
     else if (inputs.kind->has_tests)
         read_tests(line, &how, &inputs);
+    else if (inputs.kind->has_loop)
+        read_loop(line, how.decimal_sign, &inputs);
     else
         read_case(line, &inputs);
     output_options_spare_files(line, &how);

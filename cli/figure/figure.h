@@ -3,6 +3,7 @@
 #define CLI_FIGURE_H
 
 #include "crack/crack.h"
+#include "loop/loop.h"
 #include "fretting/fretting.h"
 #include "history/history.h"
 #include "model/cycle/cycle.h"
@@ -80,6 +81,7 @@ typedef struct {
     last_cycle last; /* of figure crack */
     crack_plan crack;
     const series_table *tests; /* of figure tests */
+    loop_fit fit;              /* of figure measured */
 } figure_case;
 
 double case_value(const figure_case *inputs, int variable);
@@ -97,6 +99,7 @@ struct figure {
     figure_use use[FIGURE_VARIABLES];
     bool has_history; /* it needs a contact and a table of loads in place of variables */
     bool has_tests;   /* or a series of tests */
+    bool has_loop;    /* or a log of a loop */
     int64_t cycles;   /* how often it goes through the table by default */
     const char *const *column;
     const char *text_column;
@@ -114,7 +117,7 @@ struct figure {
 extern const figure figure_pressure, figure_normal, figure_sliding, figure_yield_point,
     figure_tension, figure_shear, figure_field, figure_loop, figure_eccentric, figure_history,
     figure_any_loop, figure_fretting, figure_measure, figure_crack, figure_wear, figure_shakedown,
-    figure_contact, figure_tractions, figure_stress, figure_tests;
+    figure_contact, figure_tractions, figure_stress, figure_tests, figure_measured;
 
 /* The lines of the files in scripts/, which the build makes of them; NULL after the last: what
  * every script begins with, what stands for its line "frame", and the figures' own. */
@@ -123,7 +126,7 @@ extern script_line head_lines[], frame_lines[], pressure_lines[], normal_lines[]
     yield_point_lines[], tension_lines[], shear_lines[], field_lines[], loop_lines[],
     eccentric_lines[], history_lines[], any_loop_lines[], fretting_lines[], measure_lines[],
     crack_lines[], wear_lines[], shakedown_lines[], contact_lines[], tractions_lines[],
-    stress_lines[], tests_lines[];
+    stress_lines[], tests_lines[], measured_lines[];
 
 /* A round step that gives 8 to 20 levels up to the top. */
 double step_of_levels(double top);

@@ -115,7 +115,7 @@ same "JSON" '{"a_over_b": 0, "b_sigma_over_fP": 1},' "$(sed -n 2p out)"
 run figure 6 --data --decimal-comma --digits 3
 same "decimal comma" "0,005;1" "$(sed -n 3p out)"
 # Mistakes.
-all="2, 3, 4, 5, 6, 7, field, loop, eccentric, history, fretting, measure, crack, wear, shakedown, contact, tractions, stress, tests"
+all="2, 3, 4, 5, 6, 7, field, loop, eccentric, history, fretting, measure, crack, wear, shakedown, contact, tractions, stress, tests, measured"
 refuses "which figure must follow; allowed: $all" figure
 refuses "1: unknown figure; allowed: $all" figure 1
 refuses "log.csv: unexpected; allowed: one figure, and options; --history gives a file of loads" figure fretting log.csv
@@ -158,6 +158,16 @@ column dK out >ranges
 close_rows "ranges of K" 1e-12 0
 refuses "figure fretting: a crack is for figure crack" figure fretting --history loads.csv $specimen --edge left
 refuses "--angle-range 0,1: figure crack has one angle; allowed: --angle" figure crack --history loads.csv $specimen $crack --from 0.01 --to 1 --angle-range 0,1
+# A measured loop: the rows of "rwedge loop".
+gross=$data/instruments/gross.csv
+does figure measured --history "$gross" --radius 50 --E1 115000 --nu1 0.32 --data
+cp out drawn
+run loop "$gross" --radius 50 --E1 115000 --nu1 0.32 --fitted
+same "columns of a loop" "displacement,Q,Q_fitted" "$(head -n 1 drawn)"
+same "a measured loop" "$(cut -d , -f 2-4 out)" "$(cat drawn)"
+refuses "--history: missing; figure measured needs a log with P, Q and displacement" figure measured --radius 50 --E1 115000 --nu1 0.32
+refuses "--f 0.6: the log tells the friction" figure measured --history "$gross" --radius 50 --E1 115000 --nu1 0.32 --f 0.6
+
 # Lives of a series of tests: those of fretting; a run-out is marked, a bad row and one without a life are left out.
 printf 'test,radius,P,Q_max,sigma_max,life_tested\n1,50,300,100,100,12000\n2,50,300,140,110,>1e6\n3,50,300,999,110,3000\n4,50,300,140,140,\n5,50,300,60,60,2e5\n' >tests.csv
 does figure tests --input tests.csv --f 0.6 --material sae-1015-normalized --data
@@ -232,7 +242,7 @@ close_to "the loop closes" "$(by_name '$load == 2 { print $displacement }' out)"
 run figure history --at -0.2,0.01 --history two.csv $specimen --data
 same "the whole cycle" "2 4" "$(column load out | sed -n '1p;$p' | paste -s -d ' ' -)"
 refuses "--at: missing; figure history needs a point x,y" figure history --history loads.csv $specimen
-refuses "figure 4: a contact and its loads are for history, fretting, measure, crack, wear, contact, tractions, stress, tests, and loop with --history or --load" figure 4 --E1 3
+refuses "figure 4: a contact and its loads are for history, fretting, measure, crack, wear, contact, tractions, stress, tests, measured, and loop with --history or --load" figure 4 --E1 3
 cannot "loads.csv: line 3: Q 30: must not exceed f P = 27.15: there is no equilibrium" \
     figure loop --history loads.csv --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.2
 

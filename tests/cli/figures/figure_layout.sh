@@ -126,6 +126,10 @@ draws eccentric --a-over-b 0 --q-over-fp 0.9 --sigma-over-max=-1:1:0.5
 draws eccentric --sigma-over-max=-1:1:0.4
 same "six names" 6 "$(number_of 'πbσ/(4Q) = [-0-9.]*')"
 
+# A measured loop and the fitted one.
+draws measured --history "$data/instruments/gross.csv" --E1 115000 --nu1 0.32 --radius 50
+has "A measured loop" measured fitted "compliance 1.498e-05"
+
 # Lives of tests, with bands around them.
 printf 'test,radius,P,Q_max,sigma_max,life_tested\n1,50,300,100,100,12000\n2,50,300,140,110,>1e6\n' >tests.csv
 printf '{"E": 206800, "nu": 0.3, "sf": 827, "b": -0.11, "ef": 0.95, "c": -0.64}' >steel.json

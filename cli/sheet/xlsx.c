@@ -131,11 +131,24 @@ void xlsx_sheet(xlsx *book, const char *name)
     book->current = sheet;
 }
 
+/* Rows wait in files of their own. Where the system's library forgets that writing failed, as that
+ * of Windows does, closing would pack what there is. */
+static bool are_rows_written(const xlsx *book)
+{
+    lxw_worksheet *sheet;
+    LXW_FOREACH_WORKSHEET(sheet, book->workbook)
+    if (sheet->optimize_tmpfile != NULL &&
+        (fflush(sheet->optimize_tmpfile) != 0 || ferror(sheet->optimize_tmpfile)))
+        return false;
+    return true;
+}
+
 void xlsx_finish(xlsx *book)
 {
     char buffer[1 << 14];
     need_memory();
     errno = 0;
+    keep(book, are_rows_written(book) ? LXW_NO_ERROR : LXW_ERROR_CREATING_TMPFILE);
     keep(book, workbook_close(book->workbook));
     const char *problem = book->error != LXW_NO_ERROR ? lxw_strerror(book->error) : NULL;
     FILE *from = problem == NULL ? spool_read(&book->spool) : NULL;

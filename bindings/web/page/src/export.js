@@ -106,7 +106,7 @@ P, M, Q, sigma, f = ${P}, ${M}, ${Q}, ${sigma}, ${f}
 A = float(rwedge.compliance(E1, nu1, E2, nu2))
 
 contact = rwedge.Contact${makersInPython[model.pad]}
-${"E2" in value ? "contact.set_strain((1 - nu1**2) / E1)  # body 1 under tension\n" : ""}${isCoupled ? coupling : ""}${tilt === undefined ? "" : `contact.set_rotation(1)  # held at a tilt: M is a result\ncontact.guide(0, ${tilt}, 0, 0)\n`}contact.apply(P, M, 0, 0)  # P and M first, then Q and sigma together
+${"E2" in value ? "contact.set_strain((1 - nu1**2) / E1)  # body 1 under tension\n" : ""}${isCoupled ? coupling : ""}${tilt === undefined ? "" : `contact.set_rotation(1)  # held at a tilt: M is a result\ncontact.guide(0, ${tilt}, 0, 0)\n`}${isCoupled && Number(M) !== 0 ? "contact.apply(P, 0, 0, 0)\n" : ""}contact.apply(P, M, 0, 0)  # P and M first, then Q and sigma together
 contact.apply(P, M, Q, sigma)
 print("b", contact.half_width)
 print("c", contact.stick_half_width)

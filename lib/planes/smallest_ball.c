@@ -6,7 +6,7 @@
 #include "planes/smallest_ball.h"
 
 #include "base/linear.h"
-#include "base/select.h"
+#include "base/processor.h"
 
 #include <float.h>
 #include <math.h>
@@ -17,16 +17,32 @@ enum { DIMENSIONS = 3 };
 /* A point is outside if it is by more than this part of the largest coordinate: a few roundings. */
 static const double OUTSIDE = 8 * DBL_EPSILON;
 
+RW_INLINE void square_all(size_t n, const rw_point *restrict points, const rw_point *centre,
+                          double *restrict squares)
+{
+    const rw_point from = *centre;
+    for (size_t i = 0; i < n; i++)
+        squares[i] = rw_squared_distance(&points[i], &from);
+}
+
+RW_DISPATCH(square_distances, square_all,
+            (size_t n, const rw_point points[], const rw_point *centre, double squares[]),
+            (n, points, centre, squares))
+
 static size_t farthest(size_t n, const rw_point points[], const rw_point *centre, double *square)
 {
+    enum { BLOCK = 64 };
+    double squares[BLOCK];
     size_t best = 0;
     *square = 0;
-    for (size_t i = 0; i < n; i++) {
-        const double d = rw_squared_distance(&points[i], centre);
-        if (d > *square) {
-            *square = d;
-            best = i;
-        }
+    for (size_t first = 0; first < n; first += BLOCK) {
+        const size_t count = n - first < BLOCK ? n - first : BLOCK;
+        square_distances(count, points + first, centre, squares);
+        for (size_t i = 0; i < count; i++)
+            if (squares[i] > *square) {
+                *square = squares[i];
+                best = first + i;
+            }
     }
     return best;
 }

@@ -2,6 +2,7 @@
 #include "shakedown/pass.h"
 
 #include "base/domain.h"
+#include "base/select.h"
 #include "stress/stress.h"
 
 void rw_pass_stresses(const rw_pass *pass, double y, size_t n, const double x[], rw_point path[])
@@ -26,7 +27,7 @@ double rw_pass_place(const rw_pass_path *path, double t)
     static const double FARTHEST = 1e-9; /* its stresses count as none */
     const double turn = path->turn, round = 4 * turn;
     const double at = t > 2 * turn ? t - round : t < -2 * turn ? t + round : t;
-    const double left = fmax(2 * turn - fabs(at), FARTHEST * turn);
+    const double left = rw_larger(2 * turn - fabs(at), FARTHEST * turn);
     return path->middle + (fabs(at) <= turn ? at : copysign(turn * (turn / left), at));
 }
 
@@ -35,18 +36,18 @@ double rw_pass_place(const rw_pass_path *path, double t)
 /* The nearest mark's distance. */
 static double distance_to_mark(const rw_pass *pass, double x)
 {
-    double nearest = fmin(fabs(x - pass->patch.left), fabs(x - pass->patch.right));
+    double nearest = rw_smaller(fabs(x - pass->patch.left), fabs(x - pass->patch.right));
     for (size_t i = 0; i < pass->arcs.count; i++) {
         const rw_arc arc = rw_arc_at(&pass->arcs, i);
         if (rw_arc_is_inside(arc, pass->patch))
-            nearest = fmin(nearest, fmin(fabs(x - arc.left), fabs(x - arc.right)));
+            nearest = rw_smaller(nearest, rw_smaller(fabs(x - arc.left), fabs(x - arc.right)));
     }
     return nearest;
 }
 
 static double length_at(const rw_pass_path *path, double distance)
 {
-    return fmin(sqrt(distance * distance + path->y * path->y), path->turn / 2);
+    return rw_smaller(sqrt(distance * distance + path->y * path->y), path->turn / 2);
 }
 
 double rw_pass_length(const rw_pass_path *path, double t)
@@ -56,13 +57,14 @@ double rw_pass_length(const rw_pass_path *path, double t)
 
 /* ---- The grid ---- */
 
-/* How far the next place is from a mark. On the surface places come close to it; the closest, where
- * the path hardly varies any more, are farther apart. */
+/* How far the next place is from a mark. On the surface places come close to it; those of a coarse
+ * sample are farther apart there, where the path hardly varies any more. */
 static double next_offset(const rw_pass_path *path, double offset)
 {
-    static const double NEAR = 1e-3, FARTHER = 3;
-    const double step = path->y == 0 && offset < NEAR * path->turn ? FARTHER : 1;
-    return offset + step * path->step * fmax(length_at(path, offset), path->closest * path->turn);
+    static const double COARSE = 0.5, NEAR = 1e-3, FARTHER = 3;
+    const bool is_far = path->step >= COARSE && path->y == 0 && offset < NEAR * path->turn;
+    return offset + (is_far ? FARTHER : 1) * path->step *
+                        rw_larger(length_at(path, offset), path->closest * path->turn);
 }
 
 static void put(rw_pass_path *path, double t)
@@ -123,7 +125,7 @@ static double closest_for(const rw_pass *pass, double step)
     for (size_t i = 0; i < pass->arcs.count; i++)
         marks += rw_arc_is_inside(rw_arc_at(&pass->arcs, i), pass->patch) ? 2 : 0;
     const double room = (double)RW_PASS_GRID / (2 * (double)marks); /* on each side */
-    return fmax(CLOSEST, exp(-log1p(step) * room) / (double)marks);
+    return rw_larger(CLOSEST, exp(-log1p(step) * room) / (double)marks);
 }
 
 void rw_pass_path_at(rw_pass_path *path, const rw_pass *pass, double y)

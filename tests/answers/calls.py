@@ -121,7 +121,7 @@ OBJECTS = {
 # What only a contact that slides can tell.
 OF_SLIDING = {"contact_shakedown_factor"}
 # Made, and asked nothing: its forces are found, and another math library ends at other last digits, which what the cycle tells
-# follows; or the contact is not held.
+# follows; or the contact is held for it.
 ALONE = {"cycle_create_driven", "cycle_create_guided"}
 interface = read(TOP / "include" / "rwedge.h")
 LANGUAGE = "".join(sys.argv[1:])
@@ -221,7 +221,12 @@ def objects():
             inputs = sampled(maker, 0)
             if "@" in inputs:
                 call(interface["contact_state"], [])
+            is_guided = maker.name == "cycle_create_guided"
+            if is_guided:
+                call(interface["contact_set_rotation"], (1,))
             call(maker, inputs)
+            if is_guided:
+                call(interface["contact_set_rotation"], (0,))
             if maker.name in ALONE:
                 continue
             steps = history if maker.method == "create" else ANOTHER_PAD if maker.method.startswith("create_") else history[-1:]

@@ -8,7 +8,7 @@ const column_kind verdict_columns[] = {
     {"angle", "of the crack, with --angle-range", "degrees"},
     {"shear", "how K_II counts: none, locked, free", NULL},
     {"arrest_length", "where it stops; the first where it does not grow", "length"},
-    {"cycles", "to the last length, or until it breaks; empty where it stops", NULL},
+    {"cycles", "passes until it breaks, or to the last length; or empty", NULL},
     {"least_ratio", "smallest dK over the threshold", NULL},
     {"least_length", "the length at which it is", "length"},
     {"verdict", "in words", NULL},

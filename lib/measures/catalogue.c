@@ -88,7 +88,7 @@ static const rw_measure measures[] = {
                                 .limit = ""},
     [RWEDGE_MEASURE_ENERGY_PER_AREA] = {.name = "energy_per_area",
                                         .title = "Energy dissipated per area",
-                                        .text = "dissipated by friction, integral of q d(slip)",
+                                        .text = "dissipated by friction in a pass of the loads",
                                         .unit = "force/length",
                                         .limit = ""},
     [RWEDGE_MEASURE_FINDLEY] = {.name = "findley",

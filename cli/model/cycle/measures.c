@@ -67,7 +67,8 @@ static const struct {
     double (*times)(const criteria *asked);
 } multiples[] = {
     {RWEDGE_MEASURE_ENERGY_PER_AREA, COLUMN_OF_ARCHARD, "wear_depth",
-     "worn in the cycle, --archard times energy_per_area", "length", "Depth of wear", archard},
+     "worn in a pass of the loads, --archard times energy_per_area", "length", "Depth of wear",
+     archard},
 };
 enum { MULTIPLES = sizeof multiples / sizeof multiples[0] };
 

@@ -195,6 +195,27 @@ const beginnings = {
     csv: /^(# .*\n)+\w+( \[[^\]]+\])?(,\w+( \[[^\]]+\])?)+\n(.*\n){20}/,
 };
 
+/** How far texts reach beyond the right edge of a saved SVG, in pixels. */
+async function beyondEdge(page, text) {
+    const folder = mkdtempSync(`${tmpdir()}/rwedge-page-`);
+    writeFileSync(`${folder}/saved.svg`, text);
+    await page.goto(`file://${folder}/saved.svg`);
+    rmSync(folder, { recursive: true });
+    return page.evaluate(() => Math.max(...[...document.querySelectorAll("text")].map((part) => part.getBBox().x + part.getBBox().width)) - document.documentElement.viewBox.baseVal.width);
+}
+
+export async function a_saved_plot_has_all_inputs_in_its_width({ page, show }) {
+    for (const width of widths) {
+        await page.setViewport({ width, height: 900 });
+        await show({ ...usual, M: "0.5", sigma: "12", E2: "70000", nu2: "0.33", similar: "yes" }, { name: "pad 7", tab: "stress", rotation: "similar" });
+        await settled(page);
+        const [svg] = await savedBy(page, `${seen} .save button[aria-label$="SVG"]`);
+        assert.match(svg.text, /pad 7; E1 = 210000 MPa.*sigma = 12 MPa.*k = 400 MPa/s);
+        const beyond = await beyondEdge(page, svg.text);
+        assert.ok(beyond <= 0, `${width}: ${beyond} pixels beyond`);
+    }
+}
+
 export async function plots_are_saved({ page, show }) {
     for (const tab of ["contact", "stress", "strength", "cycle"]) {
         await show(usual, { tab });

@@ -18,13 +18,14 @@ let carried = []; // the inputs of the case, as texts
 /** Files of plots have these with them. */
 export const carry = (texts) => (carried = texts);
 
-const CHARACTERS = 105, // of a line below a plot
+const CHARACTER = 7.4, // pixels, of a line below a plot
     LINE = 15;
 /** The inputs in lines below a plot. */
 function caption(width, height) {
-    const lines = [""];
+    const lines = [""],
+        room = (width - 16) / CHARACTER;
     for (const text of carried)
-        if (lines.at(-1).length + text.length > CHARACTERS) lines.push(text);
+        if (lines.at(-1) && lines.at(-1).length + 2 + text.length > room) lines.push(text);
         else lines[lines.length - 1] += `${lines.at(-1) && "; "}${text}`;
     const texts = lines.map((line, i) => `<text class="legend" x="8" y="${height + LINE * (i + 1)}">${escaped(line)}</text>`);
     return { text: texts.join(""), height: height + LINE * (lines.length + 0.5) };

@@ -6,7 +6,8 @@
 
 /* A log that ends where it begins is one cycle. */
 static const double CLOSED = 0.05, /* of the range of what goes to and fro */
-    WELL_BELOW = 0.1;              /* the middle: noise there is no crossing */
+    WELL_BELOW = 0.1,              /* the middle: noise there is no crossing */
+    REACHED = 1e-9;                /* the middle: a sine that ends below 0 by rounding ends there */
 
 typedef struct {
     double middle, range;
@@ -26,12 +27,13 @@ log_cycles log_cycles_find(size_t count, const load row[], load_part *part)
 {
     const span all = span_of(count, row, part);
     log_cycles cycles = {memory_zeroed(count + 2, sizeof *cycles.at), 0};
+    const double reached = -REACHED * all.range;
     bool is_below = false;
     for (size_t i = 0; i < count; i++) {
         const double above = part(&row[i]) - all.middle;
-        if (is_below && above >= 0)
+        if (is_below && above >= reached)
             cycles.at[cycles.count++] = i;
-        is_below = above < (is_below ? 0 : -WELL_BELOW * all.range);
+        is_below = above < (is_below ? reached : -WELL_BELOW * all.range);
     }
     const double open = part(&row[count - 1]) - part(&row[0]);
     if (cycles.count < 2) {

@@ -29,6 +29,8 @@ def test_friction_and_compliance_are_found_again():
     assert loop.regime == "gross slip" and loop.f == pytest.approx(F, rel=1e-3)
     assert abs(loop.compliance - COMPLIANCE) < 4 * loop.uncertainty["compliance"]
     assert (loop.fitted["Q"] == log["Q"]).all() and np.std(loop.fitted["Q_fitted"] - log["Q"]) < 0.006 * 240
+    way, shear = log["displacement"][100:], log["Q"][100:]  # the second of two cycles, which begins and ends at 0
+    assert loop.energy == pytest.approx(np.sum((shear[1:] + shear[:-1]) / 2 * np.diff(way)), rel=1e-3)
     contact = rwedge.Contact.cylinder(50, rwedge.compliance(115e3, 0.32, 115e3, 0.32), loop.f)
     contact.load(400)
     cycle = rwedge.Cycle.driven(contact, {"P": 400, "displacement": loop.fitted["displacement"] - loop.offset}, loop.compliance)
@@ -37,7 +39,7 @@ def test_friction_and_compliance_are_found_again():
 
 def test_a_loop_for_each_cycle():
     loops = rwedge.loop(measured(0.012, cycles=4), by_cycle=True, **PAD)
-    assert len(loops) == 2 and all(loop.f == pytest.approx(F, rel=2e-3) for loop in loops)
+    assert len(loops) == 3 and all(loop.f == pytest.approx(F, rel=2e-3) for loop in loops)
     assert all(math.isnan(loop.offset) and loop.fitted == {} for loop in loops)
 
 

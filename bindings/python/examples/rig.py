@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From a rig to the verdict: sixteen thresholds give the critical distance of a steel, with which a log is judged. Prints the
-scatter of the thresholds, and the verdict on a log with noise beside that on the loads it was meant to have.        rig.py PICTURE
+"""From a rig to the verdict: a loop gives the friction, sixteen thresholds give the critical distance of a steel, and with both a log
+is judged. Prints what the loop says, the scatter of the thresholds, and the verdict on a log with noise beside that on the loads it
+was meant to have.                                                                                                    rig.py PICTURE
 
 The thresholds of the nucleation of cracks, with and without a bulk stress, are of paper 952 of the 13th International Conference on
 Fracture (2013), Table 2. Crossland's share of the hydrostatic stress is 3 (386/575 - 1/sqrt(3)), of fatigue limits in torsion and
-tension of 386 and 575 MPa, which are assumed. The log is made here, as a controller writes it. Units are N and mm.
+tension of 386 and 575 MPa, which are assumed. Loop and log are made here, as a rig with 0.5 % of noise writes them. Units are N and mm.
 """
 import tempfile
 import warnings
@@ -34,6 +35,15 @@ def scatter(numbers):
     return 100 * np.std(numbers, ddof=1) / np.mean(numbers)
 
 
+def loop_in_gross_slip(P=795, way=0.03, compliance=1e-5, noise=0.005):
+    """Two cycles of a rig that prescribes the displacement, and gives way itself."""
+    contact = rwedge.Contact.cylinder(80, rwedge.compliance(STEEL["E"], 0.3, STEEL["E"], 0.3), F)
+    contact.load(P)
+    displacement = way * np.sin(2 * np.pi * np.arange(201) / 100)
+    shear = np.array([contact.drive(P, 0, 0, to, compliance) for to in displacement])
+    return {"P": np.full(201, P), "displacement": displacement, "Q": shear + np.random.default_rng(1).normal(0, noise * F * P, 201)}
+
+
 def write_log(path, noise=0.005, cycles=20, samples=100):
     """P constant, Q and the bulk stress in phase, in kN and MPa, below a preamble and a row of units."""
     turn = 2 * np.pi * np.arange(cycles * samples) / samples
@@ -43,19 +53,22 @@ def write_log(path, noise=0.005, cycles=20, samples=100):
     path.write_text(f"Rig 4\nspecimen 12\n\ntime,P,Q,sigma\ns,kN,kN,MPa\n{rows}\n", "utf-8")
 
 
-def judged(log, length, limit):
+def judged(log, f, length, limit):
     """The log, and the loads that it was meant to have, as two tests of a series; what was read, clipped and left out of the log."""
     tests = {"radius": [80, 80], "P [kN]": [WIDTH * 0.795] * 2, "loads": [str(log), None], "Q_max [kN]": [None, WIDTH * 0.273],
              "sigma_max": [None, 100]}
     with warnings.catch_warnings(record=True) as said:
         warnings.simplefilter("always")
-        verdict = rwedge.series(tests, f=F, material={**STEEL, "crossland_limit": limit}, criteria="crossland", length=length,
+        verdict = rwedge.series(tests, f=f, material={**STEEL, "crossland_limit": limit}, criteria="crossland", length=length,
                                 units="mm,N,MPa", width=WIDTH, clip=True, turning_points=0.1)
     return verdict, [str(warning.message) for warning in said]
 
 
 def main():
     picture = shown.arguments(__file__, __doc__).picture
+    measured = rwedge.loop(loop_in_gross_slip(), E1=STEEL["E"], nu1=STEEL["nu"], radius=80)
+    print(f"the loop: {measured.regime}, f {measured.f:.4f} +- {measured.uncertainty['f']:.4f}, the rig gives way by "
+          f"{measured.compliance:.2e} mm per N/mm, {measured.energy:.2f} N a cycle")
     fitted = thresholds(fit_length=True)
     print(f"Crossland's parameter of 16 thresholds scatters by {scatter(fitted['crossland']):.1f} % at the surface, "
           f"by {scatter(fitted['crossland_at_length']):.1f} % at {500 * fitted.length:.0f} um, half of a length of {fitted.length:.4f} mm")
@@ -63,7 +76,7 @@ def main():
         log = Path(folder) / "rig.csv"
         write_log(log)
         limit = float(np.mean(fitted["crossland_at_length"]))
-        verdict, said = judged(log, fitted.length, limit)
+        verdict, said = judged(log, measured.f, fitted.length, limit)
     print("\n".join(text.split(".csv: ")[-1] for text in said if "tests.csv" not in text))
     for i, name in enumerate(("the log", "as it was meant to be")):
         print(f"{name}: Crossland {verdict['crossland'][i]:.0f} MPa at x = {verdict['crossland_x'][i]:.3f}, "

@@ -39,7 +39,7 @@ for wrong in 0 1e-7 0.1 nan 1,5; do
 done
 refuses "--tolerance 1e-3: given together with --exact; allowed: one of the two" \
     fretting lags.csv $specimen --tolerance 1e-3 --exact
-refuses "figure 7: a contact and its loads are for history, fretting, measure, crack, wear, contact, tractions, stress, and loop with --history or --load" figure 7 --exact
+refuses "figure 7: a contact and its loads are for history, fretting, measure, crack, wear, contact, tractions, stress, tests, measured, and loop with --history or --load" figure 7 --exact
 cannot "error.csv: column error: a result has that name; allowed: any other" \
     history "$(printf 'P,Q,error\n1,0,0\n' >error.csv; echo error.csv)" $specimen
 

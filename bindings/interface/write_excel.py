@@ -88,9 +88,14 @@ def description(f: Function, before: Function) -> str:
 
 def statements(f, name, handle):
     """Status by status, then the result or its error."""
-    lists, single, several = names_of(f, "in array"), names_of(f, "out"), names_of(f, "out array")
+    lists, several = names_of(f, "in array"), names_of(f, "out array")
+    taken = {n.lower() for n in names(HANDLES[handle][0])} if handle else set()  # what the object is made of may be told too
+
+    def told_as(n):
+        return f"{n}_told" if n.lower() in taken else n
+    single = [told_as(n) for n in names_of(f, "out")]
     passed = {"in array": "{}_list(0)", "out array": "{}(0)"}
-    call = f"c_{f.name}({', '.join(passed.get(p.role, '{}').format(name_of(p)) for p in f.parameters)})"
+    call = f"c_{f.name}({', '.join(told_as(name_of(p)) if p.role == 'out' else passed.get(p.role, '{}').format(name_of(p)) for p in f.parameters)})"
     variables = [f"{x} As Double" for x in single] + [f"{x}_list() As Double" for x in lists]
     sizes = {name: f"{p.size[0]}" for name, p in zip(lists, f.of("in array"))}
     variables += [f"{x}() As Double" for x in several] + [f"{n} As Long" for n in dict.fromkeys(sizes.values())]

@@ -37,7 +37,7 @@ static const struct {
     /* 0.44, where the processor has faster vectors 0.31; 0.027, 0.02 */
     {"stress in an array, of a flat pad", "stress after P and then Q", 1 / 4.5, 0},
     {"stress in an array, 99 arcs", "stress after P and then Q", 1 / 75.0, 0},
-    /* 0.073; 0.37 of a point by itself */
+    /* 0.073 */
     {"stress in an array, unlike bodies", "stress in an array, of a contact", 1 / 20.0, 0},
     /* they grow linearly */
     {"stress in an array of 10^6", "stress in an array, full sliding", 0.6, 0},

@@ -207,6 +207,15 @@ static void write_remarks(const contact_case *setup, const input_texts *texts,
     errors_tell(setup, answer->doubts, false, add_told, NULL);
 }
 
+static void write_equations(const contact_case *setup, const results *answer)
+{
+    equation all[EQUATIONS_MAX];
+    const int count = equations_of(setup, answer, all);
+    for (int i = 0; i < count; i++)
+        json_add("{'equations':[{'name':%t,'symbols':%t,'numbers':%t,'value':%n,'unit':%t}]}",
+                 all[i].name, all[i].symbols, all[i].numbers, all[i].value, all[i].unit);
+}
+
 static void write_results(const contact_case *setup, const input_texts *texts, char decimal_sign,
                           const char *length)
 {
@@ -239,6 +248,7 @@ static void write_results(const contact_case *setup, const input_texts *texts, c
     }
     write_verdict(verdict_of(&answer, decimal_sign, length));
     write_remarks(setup, texts, &answer);
+    write_equations(setup, &answer);
 }
 
 /* Of the case of the form: its inputs, numbers and results, or what is wrong; its verdict, with the

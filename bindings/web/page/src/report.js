@@ -23,6 +23,8 @@ const short = (meaning) => escaped(meaning.split(/;|, or --|, in place of --| \(
 const line = (meaning, name, value, unit = "") =>
     `<div><span>${short(meaning)} <span class="meaning">${escaped(name)}</span></span><b>${signed(value)}</b><i>${escaped(unit)}</i></div>`;
 const items = (list = []) => list.map((text) => `<li>${escaped(text)}</li>`).join("");
+const equationText = ({ unit, write }, { name, symbols, numbers, value, unit: dimension }) =>
+    `<p><b>${escaped(name)}</b> = ${escaped(symbols)} = <code>${escaped(numbers)}</code> = <b>${escaped(write(value))}</b> ${escaped(unit[dimension] ?? "")}</p>`;
 const row = (cells, tag = "td") => `<tr>${cells.map((cell) => `<${tag}>${signed(cell)}</${tag}>`).join("")}</tr>`;
 
 const inputLines = ({ inputs: numbers, unit }) =>
@@ -66,6 +68,7 @@ function partsOf(model) {
         results: results ? resultLines(model).join("") : "",
         assumed: items(model.assumed),
         errors: items(model.told),
+        ...(document.getElementById("equations")?.open && { equations: (model.equations ?? []).map((each) => equationText(model, each)).join("") }),
         ...(results && { pictures: "", picture_contact: drawingOf(model, worstPlace()), picture_tractions: tractionsText(model), picture_stress: stressText(model) }),
         ...(cycle && results && { history: "", ...cycleParts(cycle, model) }),
     };

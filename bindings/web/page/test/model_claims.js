@@ -666,3 +666,17 @@ test("a life is the tool's passes of the loads: each cycle of a pass counts, but
         ])
             assert.equal(assertVerdict(loads, ...verdict).cycles, cycles, `${verdict}: ${loads}`);
 });
+
+test("the formulas with the numbers put in are those of the tool's report", () => {
+    const folder = mkdtempSync(`${tmpdir()}/rwedge-page-`),
+        { E1, nu1, f, k, theta, a, P, Q } = usual,
+        file = { rwedge_case: 1, bodies: { E1: +E1, nu1: +nu1, f: +f, k: +k }, pad: { theta: +theta, a: +a }, loads: { P: +P, Q: +Q } };
+    writeFileSync(`${folder}/case.json`, JSON.stringify(file));
+    const told = run(["report", `${folder}/case.json`, "--equations"]).stdout,
+        lines = [...told.matchAll(/^<p><b>(.*?)<\/b> = (.*?) = <code>(.*?)<\/code>/gm)].map(([, ...parts]) => parts),
+        { equations, results } = solveHolding(usual, ".");
+    rmSync(folder, { recursive: true });
+    assert.ok(lines.length > 5, told);
+    assert.deepEqual(equations.map(({ name, symbols, numbers }) => [name, symbols, numbers]), lines);
+    assertNear(equations.find(({ name }) => name === "Q/(fP)").value, results.Q_over_fP, 1e-14, "Q/(fP)");
+});

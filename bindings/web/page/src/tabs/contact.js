@@ -50,6 +50,9 @@ function groupPart(model, { title, names }) {
 /** As a picture of a report. */
 export const tractionsText = (model) => curvesText(plotOf(model, tractionsOf(model)));
 
+const equationLine = ({ unit, write }, { name, symbols, numbers, value, unit: dimension }) =>
+    html`<p class="equation"><b>${name}</b> = ${symbols} = <code>${numbers}</code> = <b>${write(value)}</b> ${unit[dimension]}</p>`;
+
 const allRows = (model) => Object.keys(resultKinds).map((name) => resultRow(model, name));
 const tractionsOf = remembered(tractions);
 
@@ -64,5 +67,7 @@ export function contact(model) {
         <p class="note">Pressure and shear are drawn upwards. Blue ground: sticks; red ground: slips.</p>
         <div class="wide few">${curves && groups.map((group) => groupPart(model, group))}</div>
         <details><summary>All quantities, by the tool\u2019s names</summary>
-            <div class="wide">${curves && table("All quantities", allRows(model))}</div></details>`;
+            <div class="wide">${curves && table("All quantities", allRows(model))}</div></details>
+        <details id="equations"><summary>Formulas with the numbers put in</summary>
+            ${model.equations?.map((equation) => equationLine(model, equation))}</details>`;
 }

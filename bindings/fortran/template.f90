@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-! rwedge for Fortran: the contact of a wedge with a rounded apex and an elastically similar half-plane.
+! rwedge for Fortran: the contact of a wedge with a rounded apex and an elastic half-plane.
 ! Written by bindings/interface/generate.py from include/rwedge.h and template.f90: change those, not rwedge.f90.
 ! Compile this file with your program and link the library: gfortran rwedge.f90 program.f90 -lrwedge.
 !

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The contact of a wedge with a rounded apex and an elastically similar half-plane.
+"""The contact of a wedge with a rounded apex and an elastic half-plane.
 
 Formulas are NumPy ufuncs that take arguments by name too: they broadcast, take ``out=`` and ``where=``, and release the GIL.
 Outside its domain a formula gives NaN and NumPy's warning "invalid value encountered", as ``numpy.sqrt(-1)`` does

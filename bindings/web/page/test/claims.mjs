@@ -496,6 +496,8 @@ export async function a_plot_is_read_pinned_and_saved_by_name({ page, tool }) {
 /** Forces of the whole contact and a tension that is a force: units convert them as such, and a slider goes on from them. */
 export async function whole_forces_are_converted_and_dragged({ page, show, tool }) {
     const texts = { ...usual, P: "1520", Q: "160", sigma: "800" };
+    await enter(page, { "in-sigma": "800 N" }); // it is refused, and what it needs appears
+    await page.waitForSelector("#in-section", { visible: true });
     await show(texts, { width: "8", section: "80", digits: "10" });
     const { b, p0 } = await shownNumbers(page),
         told = solvedBy(tool, { ...texts, units: "mm,N,MPa", width: "8", section: "80" }, "10"),

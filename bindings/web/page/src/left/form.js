@@ -145,8 +145,10 @@ const width = (model) => html`<div class="field"><label for="in-width">Width of 
     <div class="row"><input id="in-width" type="text" autocomplete="off" spellcheck="false" size="10" placeholder="forces per length"
         .value=${live(state.width)} @input=${setter("width")}><span class="unit">${model.unit.length}</span></div></div>`;
 
-/** Of a tension that is given as a force. */
-const section = (model) => html`<div class="field"><label for="in-section">Section under the tension</label>
+/** Of a tension that is given as a force: there where forces are whole ones, or the tension is refused as it stands. */
+const needsSection = ({ faults }) => state.width || state.section || faults.some(({ input }) => input === "sigma");
+
+const section = (model) => html`<div class="field" ?hidden=${!needsSection(model)}><label for="in-section">Section under the tension</label>
     <div class="row"><input id="in-section" type="text" autocomplete="off" spellcheck="false" size="10" placeholder="\u03c3 is a stress"
         .value=${live(state.section)} @input=${setter("section")}><span class="unit">${model.unit.area}</span></div></div>`;
 

@@ -59,3 +59,8 @@ def test_a_file_and_what_is_wrong(tmp_path):
     assert tests["peak_pressure"][0] == pytest.approx(600, rel=1e-13)
     with pytest.raises(rwedge.Error, match="column Q: a test has Q_max"):
         rwedge.series({"radius": [50], "P": [300], "Q": [100]}, E1=210e3, nu1=0.3, f=0.6)
+
+
+def test_columns_of_different_lengths_are_refused():
+    with pytest.raises(ValueError, match="columns of different lengths: {'P': 2, 'Q_max': 1}; allowed: one length"):
+        rwedge.series({"P": [300, 300], "Q_max": [100]}, radius=50, f=0.6)

@@ -8,13 +8,12 @@ import os
 import tempfile
 import warnings
 from dataclasses import dataclass, field
-from pathlib import Path
 from typing import Any, Mapping
 
 import numpy as np
 
 from ._files import _run, _words
-from ._tests import _write
+from ._tests import _path_of
 
 
 @dataclass(frozen=True)
@@ -90,11 +89,7 @@ def loop(log: str | os.PathLike[str] | Mapping[str, Any], by_cycle: bool = False
     >>> measured.f, measured.uncertainty["f"], measured.regime                             # doctest: +SKIP
     """
     with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "log.csv"
-        if isinstance(log, (str, os.PathLike)):
-            path = Path(log)
-        else:
-            _write(log, path)
+        path = _path_of(log, folder)
         line = [os.fspath(path), *(word for name, value in words.items() for word in _words(name, value)), "--format", "json"]
         written, said = _run("loop", [*line, *["--by-cycle"] * by_cycle])
         points = [] if by_cycle else json.loads(_run("loop", [*line, "--fitted"])[0])

@@ -65,11 +65,23 @@ def _is_blank(value: Any) -> bool:
 
 def _write(tests: Mapping[str, Any], path: Path) -> None:
     columns = {str(name): list(values) for name, values in tests.items()}
+    lengths = {name: len(values) for name, values in columns.items()}
+    if len(set(lengths.values())) > 1:
+        raise ValueError(f"columns of different lengths: {lengths}; allowed: one length")
     with path.open("w", encoding="utf-8", newline="") as out:
         table = csv.writer(out)
         table.writerow(columns)
         table.writerows(["" if _is_blank(value) else repr(float(value)) if isinstance(value, (float, np.floating)) else value
                          for value in row] for row in zip(*columns.values()))
+
+
+def _path_of(table: str | os.PathLike[str] | Mapping[str, Any], folder: str) -> Path:
+    """The file that is named, or one of these columns in the folder."""
+    if isinstance(table, (str, os.PathLike)):
+        return Path(table)
+    path = Path(folder) / "table.csv"
+    _write(table, path)
+    return path
 
 
 def _number(value: Any) -> float:
@@ -112,11 +124,7 @@ def series(tests: str | os.PathLike[str] | Mapping[str, Any], **words: Any) -> T
     >>> tests["tested_over_predicted"]                                                     # doctest: +SKIP
     """
     with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "tests.csv"
-        if isinstance(tests, (str, os.PathLike)):
-            path = Path(tests)
-        else:
-            _write(tests, path)
+        path = _path_of(tests, folder)
         options = [word for name, value in words.items() for word in _words(name, value)]
         written, said = _run("fretting", ["--input", os.fspath(path), *options, "--format", "json"])
     for remark in said:

@@ -94,6 +94,9 @@ same "VTK with an apex" "" "$(diff out rows | head -n 5)"
 same "nan" 12 "$(grep -c nan sharp.vtk)"
 head -c 900 sharp.vtk >cut.vtk
 same "the check of VTK can fail" "not VTK" "$(vtk_to_rows cut.vtk | cut -c 1-7 | tail -n 1)"
+# nu of a material counts in natural units too.
+kept as_nu field --a-over-b 0.3 --f 0.3 --nu1 0.2 --x 0 --y 0.3
+prints_kept "nu of a material" as_nu field --a-over-b 0.3 --f 0.3 --material '{"E": 210000, "nu": 0.2}' --x 0 --y 0.3
 refuses "--x 1,0: must ascend; so the format vtk wants it" field --a-over-b 1 --x 1,0 --format vtk
 refuses "--decimal-comma: not in VTK, whose numbers have a point; allowed with: csv, tsv" \
     field --a-over-b 1 --format vtk --decimal-comma

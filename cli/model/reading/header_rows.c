@@ -29,8 +29,14 @@ bool header_cell(const header *names, const char *const cells[], size_t column,
     }
     if (text[strspn(text, " \t")] == '\0')
         return complain(why, "%s: the cell is empty", column_name);
-    return complain(why, "%s %.60s: must be a number, with a decimal %s", column_name, text,
-                    decimal_sign == ',' ? "comma" : "point");
+    const bool is_comma = decimal_sign == ',';
+    const bool has_other =
+        names->how->is_command && number_read_cell(text, is_comma ? '.' : ',', value);
+    return complain(why, "%s %.60s: must be a number, with a decimal %s%s", column_name, text,
+                    is_comma ? "comma" : "point",
+                    !has_other ? ""
+                    : is_comma ? "; allowed without --decimal-comma"
+                               : "; --decimal-comma reads a comma");
 }
 
 /* ---- Numbers that are needed ---- */

@@ -381,7 +381,7 @@ refuses "--full-wear: adds columns to the rows, not with --at-worst" fretting sh
 
 # Mistakes.
 printf 'P,Q\n100,0\n100,31\n' >bad.csv
-cannot "bad.csv: line 3: Q 31: must not exceed f P = 30: there is no equilibrium" fretting bad.csv $specimen
+cannot "bad.csv: line 3: Q 31: must not exceed f P = 30: there is no equilibrium; --clip lets it slide" fretting bad.csv $specimen
 refuses "--fs-k 1: needs --k or --yield-stress" fretting sharp.csv $specimen --fs-k 1
 refuses "--depth -1: depths must not be below 0" fretting sharp.csv $specimen --depth=-1
 refuses "--x: missing; there is no contact in the cycle to take places from" fretting $specimen --load 0,0

@@ -109,7 +109,7 @@ run history unused.csv $specimen
 message_is "rwedge history: unused.csv: columns with numbers that are not used: 'T'"
 same "said once, not in the rows" 0 "$(grep -c 'not used' out)"
 fails "column left: a result has that name; allowed: any other" 'P,Q,left\n1,0,0\n'
-refuses "--load 100,31: Q 31: must not exceed f P = 30: there is no equilibrium" history $specimen --load 100,0 --load 100,31
+refuses "--load 100,31: Q 31: must not exceed f P = 30: there is no equilibrium; --clip lets it slide" history $specimen --load 100,0 --load 100,31
 refuses "a file of loads must follow, with the columns P and Q, perhaps M or tilt, sigma; or --load P,Q for each" history $specimen
 
 # Loads before those of a file: as if they stood in front of them, but for their rows and the numbers of the loads.

@@ -77,6 +77,7 @@ history_fails() { # MESSAGE TEXT
 }
 history_fails "line 3: Q 100: must not exceed f P = 90: there is no equilibrium" 'P,Q\n300,0\n300,100\n'
 history_fails "line 3: Q x: must be a number, with a decimal point" 'P,Q\n300,0\n300,x\n'
+history_fails "line 3: P 1,5: must be a number, with a decimal point; --decimal-comma reads a comma" 'sep=;\nP;Q\n1,5;0\n'
 history_fails "line 2: 1 cells in this row, 2 in the header" 'P,Q\n300\n'
 history_fails "line 3: 3 cells in this row, 2 in the header; with decimal commas, separate the cells by ';' and give --decimal-comma" \
     'P,Q\n135.75,0\n135,75,0\n'

@@ -57,7 +57,7 @@ does history touch.csv $cylinder --clip
 same "separated, and slid" "100 0 -240" "$(column Q out | paste -s -d ' ' -)"
 same "what was done" "rwedge history: --clip: P below 0, by 2 at most, is separated: 1 of 3 rows
 rwedge history: --clip: |Q| above f P, by 60 at most, slides: 1 of 3 rows" "$(head -n 2 err)"
-fails_with_status 1 "touch.csv: line 3: P -2: must not be below 0, and Q must be 0 where P is" history touch.csv $cylinder
+fails_with_status 1 "touch.csv: line 3: P -2: must not be below 0, and Q must be 0 where P is; --clip separates the bodies there" history touch.csv $cylinder
 does history touch.csv $cylinder --clip --save-case clipped.json
 kept first history touch.csv $cylinder --clip
 does history --case clipped.json

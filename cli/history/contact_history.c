@@ -35,12 +35,22 @@ size_t contact_history_row(const contact_history *history, size_t step)
     return step % history->loads.count;
 }
 
-/* What noise in a log does is mended by an option. */
-static void name_clip(load refused, double f, complaint *why)
+static bool presses(const load_history *loads)
 {
-    if (refused.P < 0 || (f > 0 && !refused.is_driven && fabs(refused.Q) > f * refused.P))
-        list_add(why->text, sizeof why->text, "; ",
-                 refused.P < 0 ? "--clip separates the bodies there" : "--clip lets it slide");
+    for (size_t i = 0; i < loads->count; i++)
+        if (loads->load[i].P > 0)
+            return true;
+    return false;
+}
+
+/* What noise in a log does is mended by an option. */
+static void name_clip(const load_history *loads, size_t row, double f, complaint *why)
+{
+    const load refused = loads->load[row];
+    if (refused.P < 0 && presses(loads))
+        list_add(why->text, sizeof why->text, "; ", "--clip separates the bodies there");
+    if (refused.P >= 0 && f > 0 && !refused.is_driven && fabs(refused.Q) > f * refused.P)
+        list_add(why->text, sizeof why->text, "; ", "--clip lets it slide");
 }
 
 /* Where there are several cycles, a word says in which a load is refused. */
@@ -48,7 +58,7 @@ static void end_before(const contact_history *history, size_t step, complaint *w
 {
     char word[40] = "", place[LOAD_PLACE_SIZE];
     const size_t row = contact_history_row(history, step);
-    name_clip(history->loads.load[row], history->setup.f, why);
+    name_clip(&history->loads, row, history->setup.f, why);
     if (step >= history->loads.count)
         snprintf(word, sizeof word, ", cycle %zu", step / history->loads.count + 1);
     if (!history->is_until || step == 0)

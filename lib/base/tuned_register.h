@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The register of the tuned constants of computed loads and of cracks: lib/traction, fronts,
- * numerical, computed, crack, and lib/cycle/states.c. Each has what it buys. A constant is here if
+ * numerical, computed, crack, and lib/cycle/parts.c. Each has what it buys. A constant is here if
  * its value was found by trying, on random loads of tests/random. Sizes of arrays, distances at
  * which rounding counts, and limits of which half and twice as much moves nothing there, stand
  * where they are used. "Of the tolerance" means times the tolerance of a load. Whoever changes one
@@ -179,7 +179,7 @@ RW_NUMBER(RW_TOUCH_ERROR, 0.01)
 /* On the way to separation, of the load: what is left at the end. */
 RW_NUMBER(RW_LAST_TOUCH, 0.01)
 
-/* ---- Cycles (lib/cycle/states.c) ---- */
+/* ---- Cycles (lib/cycle/parts.c) ---- */
 
 /* Over the half-width: what an edge moves by in a part of a load, in closed form, and computed.
  * Slip of places that the contact leaves. */

@@ -154,13 +154,9 @@ static double slip_since_touch(const place *at, size_t state)
 {
     const rw_state *states = at->cycle->states, *now = &states[state];
     const rw_patch old = state > 0 ? states[state - 1].patch : now->patch;
-    const bool is_new =
-        isnan(old.left) || !(fmax(old.left, now->patch.left) < fmin(old.right, now->patch.right));
-    const double middle = rw_patch_middle(now->patch);
-    const int side = at->inside < (is_new ? middle : old.left) ? 0 : 1;
-    const double inner = is_new ? middle : side == 0 ? old.left : old.right;
-    const double outer = side == 0 ? now->patch.left : now->patch.right;
-    const double part = (at->inside - inner) / (outer - inner);
+    const int side = at->inside < rw_ring_of(old, now->patch, 0).left ? 0 : 1;
+    const rw_patch ring = rw_ring_of(old, now->patch, side);
+    const double part = (at->inside - ring.left) / (ring.right - ring.left);
     double sum = 0;
     for (int i = 0; i < RW_RING; i++) {
         double weight = 1;

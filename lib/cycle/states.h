@@ -27,7 +27,7 @@ typedef struct {
     int stick_count;
     double noise; /* the error of a computed slip: what sticks has not slipped so little */
     rw_displacement displacement;
-    double ring[2][RW_RING]; /* at the left, right edge: slip since they touched (states.c) */
+    double ring[2][RW_RING]; /* at the left, right edge: slip since they touched */
     double leave[2];         /* slip at the edge since the state before, where it moves inwards */
 } rw_state;
 
@@ -91,9 +91,6 @@ static inline rw_goal rw_cycle_goal(const rwedge_cycle *cycle, const rwedge_cont
     return cycle->is_guided ? (rw_goal){to.P, to.M, to.Q, to.sigma} : rw_goal_of(contact, to);
 }
 
-/* The height of a profile, over theta, up to a constant. */
-double rw_profile_height(const rw_geometry *geometry, double x);
-
 /* What friction does at a place of the surface. All 0 where there is no contact in the cycle. */
 typedef struct {
     double slip_range, shear, energy; /* shear: the largest magnitude of q */
@@ -108,6 +105,11 @@ typedef struct {
 rw_piece_sum *rw_cycle_room(const rwedge_cycle *cycle);
 
 rw_slip_measures rw_slip_measures_at(const rwedge_cycle *cycle, double x, rw_piece_sum room[]);
+
+/* The inner and the outer end, as left and right, of what a step from the patch `old` to `now` has
+ * added to the contact, or taken from it, at its left (0) or right (1) edge. A contact that lies
+ * apart from the old one is all new, from its middle on. */
+rw_patch rw_ring_of(rw_patch old, rw_patch now, int side);
 
 /* The node k of a ring: the part of the way from its inner to its outer end. */
 static inline double rw_ring_node(int k)

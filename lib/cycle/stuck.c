@@ -2,9 +2,24 @@
 /* The zone that never slips in a cycle: the part that all steps have in common of where they slip
  * nowhere. A step in closed form has one such patch, which the paths before and after it have in
  * common. Of a computed step it is where the state after it sticks. */
-#include "cycle/states.h"
+#include "cycle/walk.h"
 
 #include <stdlib.h>
+
+rw_patch rw_stuck_between(const rwedge_contact *before, const rwedge_contact *after)
+{
+    if (before->phase == RW_COMPUTED || after->phase == RW_COMPUTED)
+        return RW_NOWHERE;
+    const rw_memory *path = &after->memory, *old = &before->memory;
+    const rw_path old_path = rw_memory_path(old);
+    const size_t common = rw_memory_common(path, &old_path);
+    if (common == path->count || common == old->count)
+        return path->corners[common - 1].patch;
+    const rw_corner *next = &path->corners[common], *next_of_old = &old->corners[common];
+    if (next->ratio != next_of_old->ratio)
+        return path->corners[common - 1].patch;
+    return next->load < next_of_old->load ? next->patch : next_of_old->patch;
+}
 
 bool rw_stuck_begin(rw_stuck_zones *zones, const rwedge_contact *contact)
 {

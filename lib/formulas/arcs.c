@@ -121,6 +121,19 @@ double rw_arcs_height(const rw_arcs *arcs, double x)
     return sum;
 }
 
+double rw_arcs_shape(const rw_arcs *arcs, double x)
+{
+    double sum = 0;
+    for (size_t i = 0; i < arcs->count; i++) {
+        const rw_arc arc = rw_arc_at(arcs, i);
+        const double from_middle = x - (arc.left + arc.right) / 2, width = arc.right - arc.left;
+        sum += rw_arc_weight(arcs, i) * (x > arc.left && x < arc.right
+                                             ? from_middle * (from_middle / width) + width / 4
+                                             : fabs(from_middle));
+    }
+    return sum;
+}
+
 bool rw_arcs_have_kink(const rw_arcs *arcs, double x)
 {
     for (size_t i = 0; i < arcs->count; i++)

@@ -50,6 +50,9 @@ double rw_pad_rise(const rw_pad *pad, rw_patch patch, double x);
 /* The height of a symmetric profile above its middle, x >= 0. */
 double rw_arcs_height(const rw_arcs *arcs, double x);
 
+/* The height of any profile, up to a constant. */
+double rw_arcs_shape(const rw_arcs *arcs, double x);
+
 /* Whether x is at a kink. */
 bool rw_arcs_have_kink(const rw_arcs *arcs, double x);
 

@@ -89,4 +89,11 @@ static inline double rw_height(const rw_geometry *g, double x)
     return rw_arcs_height(&arcs, x);
 }
 
+/* The height of any profile, over theta, up to a constant. */
+static inline double rw_profile_height(const rw_geometry *g, double x)
+{
+    const rw_arcs arcs = rw_arcs_of(g);
+    return rw_arcs_shape(&arcs, x);
+}
+
 #endif

@@ -243,7 +243,7 @@ run figure history --at -0.2,0.01 --history two.csv $specimen --data
 same "the whole cycle" "2 4" "$(column load out | sed -n '1p;$p' | paste -s -d ' ' -)"
 refuses "--at: missing; figure history needs a point x,y" figure history --history loads.csv $specimen
 refuses "figure 4: a contact and its loads are for history, fretting, measure, crack, wear, contact, tractions, stress, tests, measured, and loop with --history or --load" figure 4 --E1 3
-cannot "loads.csv: line 3: Q 30: must not exceed f P = 27.15: there is no equilibrium" \
+cannot "loads.csv: line 3: Q 30: must not exceed f P = 27.15: there is no equilibrium; --clip lets it slide" \
     figure loop --history loads.csv --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.2
 
 finish

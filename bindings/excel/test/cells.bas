@@ -161,7 +161,7 @@ Private Sub contacts()
     expect UBound(table, 1) = 3 And table(3, 1) = 30.75, "points of a contact"
     expect is_error(RWEDGE_CONTACT_SLIP(1, 2, 3, 4, Array(10, 20), Array(1, 2), "x"), 2015), "points that are none"
     expect is_error(RWEDGE_CONTACT_SLIP(1, 2, 3, 4, 10, 1, 99), 2036), "a path without a closed form is #NUM!"
-    expect last_note Like "rwedge: : off the centre where *", "and the note says why"
+    expect last_note Like "rwedge: : off the centre once *", "and the note says why"
     expect is_error(RWEDGE_CONTACT_SLIP(1, 2, 3, 4, 10, 1, 98), 2036) And last_note = "rwedge: ", "which no other has"
     table = RWEDGE_CONTACT_HISTORY(1, 2, 3, 4, Array(10, 20, 30), Array(1, 2, 500))
     expect UBound(table, 1) = 3 And UBound(table, 2) = 3, "a history has a row for each load"

@@ -144,7 +144,7 @@ static void find_extremes(const crack_plan *plan, const double K[], size_t j, do
     }
 }
 
-/* Of faces that pass through each other, and of faces that press. */
+/* Results of faces that pass through each other, and of faces that press. */
 enum { WAYS = 2 };
 typedef struct {
     crack_K K[WAYS];

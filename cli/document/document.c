@@ -77,7 +77,7 @@ static const node *tree_of(json_t *top, const json_error_t *error, const char *n
     return tree;
 }
 
-/* Without the mark of Unicode, which some editors write first. */
+/* The mark of Unicode, which some editors write first, is passed over. */
 const node *document_read(const char *path)
 {
     json_error_t error;

@@ -25,7 +25,8 @@ enum {
 /* No command has more options. */
 typedef char options_have_room[(int)OPTION_OVER < (int)OPTION_LIMIT ? 1 : -1];
 
-/* Those of "rwedge history" but for friction and Poisson's ratio, which figures have anyway. */
+/* The options of "rwedge history" but for friction and Poisson's ratio, which figures have
+ * anyway. */
 static struct poptOption history_figure_option_table[] = {
     {INCLUDED(shape_option_table), NULL, NULL},
     {HULL_OPTION},

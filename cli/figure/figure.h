@@ -113,7 +113,7 @@ struct figure {
     const char *const *script; /* the lines of its file in scripts/, which draw the rows */
 };
 
-/* Those of the paper, 2 to 7, and more. Each is defined in a file of its subject. */
+/* The figures of the paper, 2 to 7, and more. Each is defined in a file of its subject. */
 extern const figure figure_pressure, figure_normal, figure_sliding, figure_yield_point,
     figure_tension, figure_shear, figure_field, figure_loop, figure_eccentric, figure_history,
     figure_any_loop, figure_fretting, figure_measure, figure_crack, figure_wear, figure_shakedown,

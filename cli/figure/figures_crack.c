@@ -7,7 +7,7 @@
 
 enum { LENGTHS = 81 };
 
-/* As the verdict has it: faces press. */
+/* Faces press, as the verdict has it. */
 static void compute_crack(const figure_case *inputs, dataset *rows)
 {
     crack_case crack = inputs->crack.crack;

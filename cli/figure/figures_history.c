@@ -170,7 +170,7 @@ static void add_places(const figure_case *inputs, const measured *result, datase
                                                 result->place[i].value[inputs->measure]}});
 }
 
-/* That of the places, and between them on the line of the best. */
+/* Notes the worst of the places, and between them on the line of the best. */
 static void note_worst(const figure_case *inputs, const last_cycle *last, const measured *result,
                        dataset *rows)
 {

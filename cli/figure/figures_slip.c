@@ -91,7 +91,7 @@ static void add_zone(const tension_case *tension, double from, double to)
         add_point(tension, 0.5 * (from + to) + 0.5 * (to - from) * sin(0.5 * PI * i / STEPS));
 }
 
-/* Under constant P, Q and sigma together. */
+/* P is applied first, then Q and sigma together. */
 static void apply(const tension_case *tension)
 {
     load to = {.P = rwedge_load(case_value(tension->inputs, A_OVER_B))};
@@ -128,7 +128,7 @@ static void compute_eccentric(const figure_case *inputs, dataset *rows)
 
 /* ---- The picture ---- */
 
-/* With friction's limit, f p. */
+/* Gives the script the limit of friction, f p. */
 static void prepare_eccentric(const figure_case *inputs, const dataset *rows, FILE *script)
 {
     enum { STEPS = 200 };

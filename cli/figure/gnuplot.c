@@ -111,7 +111,8 @@ static char *read_whole(FILE *file, size_t *length)
 
 /* ---- What gnuplot has to say ---- */
 
-/* With the last line that says something; gnuplot shows the failing line of the script above it. */
+/* Ends with the last line that says something; gnuplot shows the failing line of the script above
+ * it. */
 NO_RETURN static void refuse(FILE *complaints, const char *event, int number)
 {
     size_t length;
@@ -152,7 +153,7 @@ static void remove_date(char *picture, size_t length)
             memcpy(picture + i + before, usual, digits);
 }
 
-/* In an SVG, viewers drop a space where the font changes, unless told to keep it. */
+/* Viewers of an SVG drop a space where the font changes, unless told to keep it. */
 static void take_picture(FILE *const stream[], const picture_format *format, bool is_part,
                          output *out)
 {

@@ -25,7 +25,7 @@ static const struct poptOption options[] = {
     POPT_TABLEEND,
 };
 
-/* Those that are always there, with their angles; or the values of the others. */
+/* Describes the columns that are always there, with their angles; or the values of the others. */
 static void describe_columns(bool are_always, FILE *stream)
 {
     for (int i = 0; i < measure_count(); i++) {

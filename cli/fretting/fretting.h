@@ -70,7 +70,7 @@ typedef struct {
 
 void worst_find(const measured *result, worst_table *worst);
 
-/* Those between the places become places too. */
+/* The worst places between the places become places too. */
 void worst_add_places(const worst_table *worst, measured *result);
 
 /* "swt 1.2 at x = -0.3; swt_damage 0.01 at x = -0.3 (2 cycles)"; "" where

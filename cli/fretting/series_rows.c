@@ -15,7 +15,7 @@ static const column_kind contact_columns[] = {
 };
 enum { CONTACT_COLUMNS = sizeof contact_columns / sizeof contact_columns[0] };
 
-/* Of each criterion, behind its name. */
+/* Ends of the columns of each criterion, behind its name. */
 static const char *const ends[] = {"", "_x", "_at_length", "_load_factor"};
 enum { ENDS = sizeof ends / sizeof ends[0], AT_LENGTH = 2, LOAD_FACTOR = 3 };
 
@@ -88,7 +88,7 @@ static cell life_cell(double life)
     return isinf(life) ? cell_text("inf") : cell_number(life);
 }
 
-/* Of a run-out it is a bound; of two run-outs nothing. */
+/* The ratio to a run-out is a bound; that of two run-outs says nothing. */
 static cell ratio_cell(const test_run *run, char text[NUMBER_SIZE])
 {
     const double ratio = run->test.tested / run->results.life;
@@ -149,7 +149,7 @@ static void write_none(const job *j, records *rows)
         records_value(rows, cell_text(""));
 }
 
-/* With the error is the whole row where the columns cannot show it. */
+/* The error has the whole row with it where the columns cannot show it. */
 static void write_error(const job *j, const test_row *row, records *rows)
 {
     const bool is_hidden = row->row.malformed || row->row.count > j->table->all.names.count;

@@ -123,7 +123,7 @@ void cycle_table_free(cycle_table *table)
 
 /* ---- Rows ---- */
 
-/* Of the mean its loads have no number; a zone that is not there in one cycle has none. */
+/* The loads of the mean have no number; a zone that is not there in one cycle has none. */
 static void write_mean(const cycle_table *table, records *rows)
 {
     cell cells[CYCLE_COLUMNS];

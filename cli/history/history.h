@@ -61,8 +61,8 @@ void specimen_refuse(const arguments *line, const char *where);
 
 /* ---- load_filters ---- A log as it was measured, made fit. */
 
-/* By --clip, under this friction, and by --turning-points: the loads that are left. What was done
- * is said. */
+/* Leaves the loads that --clip, under this friction, and --turning-points leave. What was done is
+ * said. */
 void loads_filter(const arguments *line, double f, load_history *loads);
 
 /* ---- log_cycles ---- The cycles of a log, by what goes to and fro in it. */

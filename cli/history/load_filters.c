@@ -17,7 +17,7 @@ static void own_loads(load_history *loads)
 
 /* ---- Clipping ---- */
 
-/* So many rows, and the largest excess. */
+/* The number of rows, and the largest excess. */
 typedef struct {
     size_t rows;
     double most;
@@ -104,7 +104,7 @@ static void mark_turns(const load_history *loads, int part, double threshold, bo
     kept[rises > 0 ? high : low] = true; /* where it goes last */
 }
 
-/* By how much a part turns at most between two loads that are kept: against the way from one to the
+/* How much a part turns at most between two loads that are kept: against the way from one to the
  * other, where it has one. */
 static double turn_between(const load_history *loads, int part, size_t from, size_t to)
 {

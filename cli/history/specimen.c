@@ -16,7 +16,7 @@ static void refuse_changing(const load_history *loads, double P)
         }
 }
 
-/* Of the contact under P alone. */
+/* The half-width of the contact under P alone. */
 static double half_width_under(const rwedge_contact *contact, double P)
 {
     rwedge_contact *tried;
@@ -28,7 +28,8 @@ static double half_width_under(const rwedge_contact *contact, double P)
     return b;
 }
 
-/* As rwedge.h has them: the error of the half-width, and the tension that stretches as P does. */
+/* Says the error of the half-width, and the tension that stretches as P does, as rwedge.h has
+ * them. */
 static void say(double t, double P, const contact_case *setup)
 {
     const double b = half_width_under(setup->contact, P),

@@ -190,10 +190,10 @@ const char *profiles_read(const char *name, const reading *how, const profile_ma
 /* Places that stand for a file of that name, which is read then; they are freed with it. */
 void profiles_offer(const char *name, pairs places);
 
-/* Those of a file that were kept; NULL for none. */
+/* The places of a file that were kept; NULL for none. */
 const pairs *profiles_places(const char *name);
 
-/* Those that have been read: of input_texts. */
+/* The profile of a file that has been read for input_texts. */
 const pad_profile *profiles_named(const char *name, complaint *why);
 
 /* Forgets those that were read since so many had been. */

@@ -91,7 +91,7 @@ static void write_row(const plan *job, size_t i, const char *quantity, cell valu
                          cell_number((double)(i + 1))});
 }
 
-/* Of a whole cycle, or the mean of those of the log. */
+/* The energy of a whole cycle, or the mean of those of the log. */
 static void write_energy(const plan *job, size_t i, records *rows)
 {
     const log_cycles *cycles = &job->cycles;

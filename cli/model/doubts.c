@@ -4,7 +4,7 @@
 #include <math.h>
 #include <stdio.h>
 
-/* Beside the library's bits. */
+/* Doubts beside the library's bits. */
 enum {
     DOUBT_STATE = 1 << 20,
     DOUBT_SLOPE = 1 << 21,
@@ -16,7 +16,8 @@ enum {
 };
 
 static const double STEEP = 0.1;
-/* By less of the pad's rise a hull has raised p0 of scans with noise by less than 2 %. */
+/* A hull that raises the pad by less of its rise has raised p0 of scans with noise by less than 2
+ * %. */
 static const double HULL_LEAST = 1e-3;
 /* What friction of unlike bodies changes by less than this is not told: edges are that exact. */
 static const double COUPLING_LEAST = 1e-4;

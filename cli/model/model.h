@@ -177,7 +177,7 @@ bool loads_are_guided(const load to[], size_t count);
 bool loads_are_driven(const load to[], size_t count);
 bool loads_turn(const load to[], size_t count);
 
-/* Those of a contact. */
+/* The loads of a contact. */
 load loads_of(const rwedge_contact *contact);
 
 /* The load after i of n equal steps from one load to another. */
@@ -306,10 +306,10 @@ doubts doubts_of(const contact_case *setup, double left, double right, double sa
  * under a P that alone would not make it yield. */
 doubts doubts_of_state(const contact_case *setup, const rwedge_contact *contact);
 
-/* That of a contact in a history that slides fully, or none. */
+/* The doubt of a contact in a history that slides fully, or none. */
 int32_t doubt_of_sliding(const rwedge_contact *contact);
 
-/* That of a contact that sticks in several zones, or none. */
+/* The doubt of a contact that sticks in several zones, or none. */
 int32_t doubt_of_zones(const rwedge_contact *contact);
 
 /* The same where rwedge_contact_yield_factor() is known; NAN is not known. */

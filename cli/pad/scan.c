@@ -11,7 +11,8 @@ typedef struct {
     int64_t line;
 } place;
 
-/* By x; where it is the same, slopes ascend, as they must, and heights stay as they are. */
+/* Places are in the order of x; at the same x lines stay in their order: slopes ascend, as they
+ * must. */
 static int compare(const void *of_a, const void *of_b)
 {
     const place *a = of_a, *b = of_b;

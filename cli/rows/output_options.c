@@ -155,7 +155,7 @@ void output_options_spare(const output_options *how, const char *file, const cha
                     name);
 }
 
-/* Of words those are files whose usage says so, as "LOADS.csv". */
+/* Words are files where the usage says so, as "LOADS.csv". */
 void output_options_spare_files(const arguments *line, const output_options *how)
 {
     const bool has_words = line->operand != NULL && strstr(line->grammar->operands, ".csv") != NULL;

@@ -84,7 +84,7 @@ static void take_places(const char *path, const node *places, arguments *line)
 
 /* ---- Loads ---- */
 
-/* Of lists and of numbers, which stay the same: how many loads. */
+/* Counts the loads that lists and numbers, which stay the same, make. */
 static size_t count_loads(const char *path, const node *loads)
 {
     size_t count = 0;

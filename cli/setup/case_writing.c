@@ -89,7 +89,7 @@ static void put_word(writing *to, const case_word *word, const char *text, const
         put_number(to, value);
 }
 
-/* As one of a cylinder on a plane. */
+/* Writes two radii as the one of a cylinder on a plane. */
 static void put_two_radii(writing *to, const input_texts *texts)
 {
     complaint why;

@@ -78,7 +78,8 @@ void history_check(const arguments *line)
 
 /* ---- The rig ---- */
 
-/* In the working units, per unit length. That of the whole contact is a length over a force. */
+/* The compliance in the working units, per unit length. That of the whole contact is a length over
+ * a force. */
 static double read_compliance(const arguments *line)
 {
     const unit_system *units = units_of(line);
@@ -141,7 +142,7 @@ static void say_four_values(const char *line, int length)
                line, M, moment, P, line, M, moment);
 }
 
-/* Of two numbers, moment and tension stay as they are; without P there is no moment. */
+/* A load of two numbers leaves moment and tension as they are; without P there is no moment. */
 void load_history_read_list(const arguments *line, load_history *loads)
 {
     load to = {0};

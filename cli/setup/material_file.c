@@ -134,7 +134,7 @@ static void refuse_part(const char *path, const char *missing, const char *there
         failure("%s: %s: missing; needed beside %s", path, missing, there);
 }
 
-/* Of a curve of life, and of a critical distance, either all constants are there or none. */
+/* A curve of life and a critical distance have either all their constants or none. */
 static void need_groups(const char *path, const material *constants)
 {
     for (int32_t i = 0; i < rwedge_criterion_count(); i++) {

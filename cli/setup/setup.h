@@ -96,8 +96,8 @@ reading reading_of(const arguments *line, char decimal_sign);
 /* How the profile of a command line is made of its file. */
 profile_making profile_making_of(const arguments *line);
 
-/* Those on a command line, and what a material gives; reads the profile. An impossible tolerance is
- * a mistake. */
+/* Takes the texts of a command line, and what a material gives; reads the profile. An impossible
+ * tolerance is a mistake. */
 void input_texts_from_options(const arguments *line, input_texts *texts);
 
 /* Refuses --hull without a profile. */

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* So many rows are held at a time, for threads to solve them; fewer where they are long. */
+/* The rows that are held at a time, for threads to solve them: fewer where they are long. */
 enum { HELD_ROWS = 1024, HELD_BYTES = 1 << 20 };
 
 typedef struct {
@@ -76,7 +76,7 @@ static cell cell_of(const run *r, const csv_row *row, size_t column)
                : cell_text(text);
 }
 
-/* With the error is the whole row where the columns cannot show it. */
+/* The error has the whole row with it where the columns cannot show it. */
 static void write_row(run *r, const csv_row *row, const answer *solution)
 {
     for (size_t i = 0; i < r->table.names.count; i++)

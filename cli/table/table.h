@@ -38,7 +38,7 @@ const table *table_named(const char *name, bool is_flat, bool is_unlike);
 /* One of its variables. */
 const table_variable *table_variable_of(const table *chosen, int variable);
 
-/* In place of a/b of a wedge: that of a flat pad, whose a is half the width of the flat. */
+/* The a/b of a flat pad, in place of a wedge's: a is half the width of the flat. */
 extern const table_variable flat_over_b;
 
 #endif

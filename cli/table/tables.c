@@ -20,8 +20,8 @@ const table_variable flat_over_b = {
     "0,0.2,0.4,0.5,0.6,0.7,0.8,0.9,0.95,0.99",
 };
 
-/* With b and A of 1, the edges being known farther than that: Hertz' load less a rounded wedge's.
- */
+/* The radius of the rounding, over b, with A of 1: the load of a flat pad is Hertz' load less a
+ * rounded wedge's. */
 static const double RADIUS = 2;
 
 static double load_of(double alpha)

@@ -31,7 +31,7 @@ RW_INLINE rw_complex rw_quotient(rw_complex a, rw_complex b)
     return (rw_complex){(a.re * b.re + a.im * b.im) * scale, (a.im * b.re - a.re * b.im) * scale};
 }
 
-/* In the right half-plane. */
+/* The root in the right half-plane. */
 static inline rw_complex rw_complex_root(rw_complex z)
 {
     const double r = sqrt(z.re * z.re + z.im * z.im);

@@ -3,24 +3,24 @@
  * numerical, computed, crack, and lib/cycle/parts.c. Each has what it buys. A constant is here if
  * its value was found by trying, on random loads of tests/random. Sizes of arrays, distances at
  * which rounding counts, and limits of which half and twice as much moves nothing there, stand
- * where they are used. "Of the tolerance" means times the tolerance of a load. Whoever changes one
- * runs `ctest -C Long -R long_tuned`, which halves and doubles each and prints what
+ * where they are used. A number "over the tolerance" counts times that of a load. Whoever changes
+ * one runs `ctest -C Long -R long_tuned`, which halves and doubles each and prints what
  * moves.
  *
  * No guard: tuned.h includes it, and the test does so once more. */
 
 /* ---- Tractions (lib/traction) ---- */
 
-/* Of the tolerance: coefficients at the end of a series that are none. Shorter series. */
+/* Coefficients at the end of a series that are none, over the tolerance. Shorter series. */
 RW_NUMBER(RW_LOST, 1e-4)
 
-/* Of the tolerance of a sum: the fit of what a shear adds to a pressure (bounded_inverse.c). Fewer
- * places where that is computed. */
+/* The fit of what a shear adds to a pressure (bounded_inverse.c), over the tolerance of a sum.
+ * Fewer places where that is computed. */
 RW_NUMBER(RW_FIT_OF_INVERSE, 3)
 
 /* ---- One step (lib/fronts) ---- */
 
-/* Of the tolerance: the fit of friction, a tenth of that of a traction, whose elements have other
+/* The fit of friction over the tolerance, a tenth of that of a traction, whose elements have other
  * ends. */
 RW_NUMBER(RW_FIT_OF_FRICTION, 1e-3)
 
@@ -28,7 +28,7 @@ RW_NUMBER(RW_FIT_OF_FRICTION, 1e-3)
  * ones. */
 RW_NUMBER(RW_PANEL_RATIO, 0.12)
 
-/* Of the tolerance and the largest: terms of a gap that are left out. Fewer terms. */
+/* Terms of a gap that are left out, over the tolerance and the largest. Fewer terms. */
 RW_NUMBER(RW_LEAST_TERM, 1e-7)
 
 /* A step of Newton's method that leaves more than this of the residual asks for a new Jacobian. */
@@ -37,7 +37,7 @@ RW_NUMBER(RW_POOR, 0.1)
 /* A front that would move by more than this angle is not moved by its slope. */
 RW_NUMBER(RW_FLAT, 1)
 
-/* Of the tolerance: violations of Coulomb's law and of the sense of slip that count as none. */
+/* Violations of Coulomb's law and of the sense of slip that count as none, over the tolerance. */
 RW_NUMBER(RW_ALLOWED, 0.2)
 
 /* ---- The search for zones (lib/numerical/search.c) ---- */
@@ -50,19 +50,20 @@ RW_COUNT(RW_NEWTON_TURNS, 10)
 RW_COUNT(RW_SEARCH_BUDGET, 500)
 RW_COUNT(RW_OUTCOME_COUNTS, 20)
 
-/* Of the tolerance: the residual at which Newton's method ends. */
+/* The residual at which Newton's method ends, over the tolerance. */
 RW_NUMBER(RW_RESIDUAL, 1e-5)
 
-/* Of the tolerance: changes of D at the beginning that count as none; how often it is looked at. */
+/* Changes of D at the beginning that count as none, over the tolerance; how often it is looked
+ * at. */
 RW_NUMBER(RW_SAME_RATIO, 0.1)
 RW_COUNT(RW_RATIO_TURNS, 4)
 
-/* In angles of the grid: an old front as near as this gives the start of a new one, so far inside
+/* An old front as near as this, in angles of the grid, gives the start of a new one, so far inside
  * what stuck, where the residual is steep. */
 RW_NUMBER(RW_NEAR_OLD_FRONT, 2.5)
 RW_NUMBER(RW_BESIDE_OLD_FRONT, 0.05)
 
-/* Over the tolerance to the power 2/3: the angle of a zone that is too narrow to be determined. */
+/* The angle of a zone that is too narrow to be determined, over the tolerance to the power 2/3. */
 RW_NUMBER(RW_SLIVER, 0.1)
 
 /* ---- Passes of unlike bodies (coupled.c) ---- */
@@ -70,10 +71,10 @@ RW_NUMBER(RW_SLIVER, 0.1)
 /* Passes go on until the shear changes by less than this part of the tolerance. */
 RW_NUMBER(RW_SAME_SHEAR, 0.1)
 
-/* As measured: a pass, for an element of both tractions each. */
+/* What a pass costs, for an element of both tractions each, as measured. */
 RW_COUNT(RW_EFFORT_OF_PASS, 60)
 
-/* Over the scale: traction beyond friction at new places in contact that slip in passing. */
+/* Traction beyond friction, over the scale, at new places in contact that slip in passing. */
 RW_NUMBER(RW_RIM, 5e-3)
 
 /* ---- The state after a step (outcome.c, rates.c) ---- */
@@ -83,13 +84,13 @@ RW_NUMBER(RW_RIM, 5e-3)
 RW_COUNT(RW_CHECKS, 24)
 RW_COUNT(RW_RATE_POINTS, 24)
 
-/* Of the tolerance: the fit of a traction. Steps with a change of the loads below RW_SMALL_STEP
+/* The fit of a traction over the tolerance. Steps with a change of the loads below RW_SMALL_STEP
  * over friction are fitted better, but not more than by RW_BEST_FIT. */
 RW_NUMBER(RW_FIT, 0.03)
 RW_NUMBER(RW_SMALL_STEP, 0.1)
 RW_NUMBER(RW_BEST_FIT, 0.1)
 
-/* Over the tolerance of the fit: jumps of an old fit that a new one does not follow. Fewer
+/* Jumps of an old fit that a new one does not follow, over the tolerance of the fit. Fewer
  * elements. */
 RW_NUMBER(RW_FIT_NOISE, 30)
 
@@ -98,7 +99,7 @@ RW_NUMBER(RW_FIT_NOISE, 30)
 /* A step with a larger change of its loads, over friction, is looked at half-way too. */
 RW_NUMBER(RW_LARGE_STEP, 0.25)
 
-/* Of RW_ALLOWED: the excess at the beginning that counts as none. It tells too little of an
+/* The excess at the beginning that counts as none, over RW_ALLOWED. It tells too little of an
  * error. */
 RW_NUMBER(RW_LITTLE_EXCESS, 0.05)
 
@@ -148,13 +149,13 @@ RW_NUMBER(RW_ENERGY_ENOUGH, 0.03)
 RW_NUMBER(RW_ENERGY_EXACT, 0.01)
 RW_COUNT(RW_ENERGY_HALVINGS, 8)
 
-/* Of RW_ALLOWED: the violation up to which zones at a moment may be like those of the next moment
- * that is known. With more the power would jump too early. */
+/* The violation, over RW_ALLOWED, up to which zones at a moment may be like those of the next
+ * moment that is known. With more the power would jump too early. */
 RW_NUMBER(RW_LIKE_GUESS, 0.1)
 
 /* ---- Steps of a load (lib/numerical, lib/computed) ---- */
 
-/* Of the tolerance: the fit of slip; the error of fits that is told. */
+/* The fit of slip, and the error of fits that is told, over the tolerance. */
 RW_NUMBER(RW_FIT_OF_SLIP, 0.03)
 RW_NUMBER(RW_FIT_AT_MOST, 0.1)
 
@@ -171,17 +172,17 @@ RW_NUMBER(RW_LOOSEST, 1e-2)
 /* P grows or falls so many times at most in one step. */
 RW_NUMBER(RW_FOLD, 4)
 
-/* Of the tolerance: how far loads may be off a straight line, as a traction over friction; the
- * error of the fit where all has stuck since the bodies touched. */
+/* How far loads may be off a straight line, as a traction over friction; the error of the fit where
+ * all has stuck since the bodies touched; both over the tolerance. */
 RW_NUMBER(RW_STRAY, 0.1)
 RW_NUMBER(RW_TOUCH_ERROR, 0.01)
 
-/* On the way to separation, of the load: what is left at the end. */
+/* What is left of the load at the end of the way to separation. */
 RW_NUMBER(RW_LAST_TOUCH, 0.01)
 
 /* ---- Cycles (lib/cycle/parts.c) ---- */
 
-/* Over the half-width: what an edge moves by in a part of a load, in closed form, and computed.
+/* What an edge moves by in a part of a load, over the half-width, in closed form, and computed.
  * Slip of places that the contact leaves. */
 RW_NUMBER(RW_EDGE_MOVE, 0.003)
 RW_NUMBER(RW_COMPUTED_EDGE_MOVE, 0.005)
@@ -198,6 +199,6 @@ RW_NUMBER(RW_CLOSING_LIFE_ERROR, 1e-6)
 /* Parts of a crack's line for its overlap. */
 RW_COUNT(RW_OVERLAP_PARTS, 16)
 
-/* Over the length: places nearer to the mouth than this do not press on each other. Fewer
+/* Places nearer to the mouth than this, over the length, do not press on each other. Fewer
  * openings. */
 RW_NUMBER(RW_NEXT_TO_MOUTH, 1e-3)

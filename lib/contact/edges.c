@@ -102,7 +102,7 @@ double rwedge_contact_stick_half_width(const rwedge_contact *contact)
     return contact ? rw_patch_half_width(stick_zone(contact)) : NAN;
 }
 
-/* For a pad: less the slope with which its profile was given. */
+/* The tilt of a pad counts less the slope with which its profile was given. */
 static double tilt_of(const rwedge_contact *contact)
 {
     const rw_geometry *g = &contact->geometry;

@@ -56,7 +56,7 @@ double rw_contact_pressure(const rwedge_contact *c, double x)
     return rw_sliding_pressure(&arcs, rw_contact_way(c), patch, x);
 }
 
-/* Of unlike bodies: many places at once. */
+/* Many places of unlike bodies are computed at once. */
 static void sliding_tractions(const rwedge_contact *c, size_t n, const double x[], double p[],
                               double q[])
 {

@@ -28,19 +28,19 @@ typedef enum {
     RW_COMPUTED    /* the shear has no closed form */
 } rw_phase;
 
-/* Under a prescribed displacement: the half-width that it counts from, 0 where none was prescribed
- * yet; how far the bodies have slid beyond what their loads tell. */
+/* The half-width that a prescribed displacement counts from, 0 where none was prescribed yet; how
+ * far the bodies have slid beyond what their loads tell. */
 typedef struct {
     double b, slid;
 } rw_drive;
 
-/* While it slides. */
+/* What counts while it slides. */
 typedef struct {
     double largest_load; /* since it slides */
     bool is_off_centre;  /* as in the phase RW_OFF_CENTRE */
 } rw_sliding;
 
-/* While the shear is computed. The memory then has none. */
+/* What counts while the shear is computed, of which the memory then has none. */
 typedef struct {
     rw_numerical *now;
     rw_numerical *start;   /* where the last straight line began */
@@ -83,8 +83,9 @@ struct rwedge_contact {
     rw_sliding sliding;
     rw_drive drive;
     rw_computed computed;
-    /* In closed form: the same contact, which has computed the loads whose slip or energy has no
-     * closed form; both are known from it. NULL: from this one, if they are known. beside.c */
+    /* The same contact, which has computed the loads whose slip or energy has no closed form; both
+     * are known from it. NULL: from this one, if they are known; and if this one is computed.
+     * beside.c */
     rwedge_contact *beside;
 };
 

@@ -43,7 +43,7 @@ static double displacement_since(const rwedge_contact *contact, const rw_path *b
            displacement(contact, base, first, kept, beyond, x);
 }
 
-/* Of a patch that is no corner of the path. */
+/* The displacement by a patch that is no corner of the path. */
 static double departure_displacement(const rwedge_contact *contact, const rw_departure *left,
                                      double x)
 {

@@ -16,8 +16,8 @@ size_t rw_crack_loads(const rw_crack *crack)
 
 /* ---- The places whose opening is asked ---- */
 
-/* For an overlap the line has n parts from (i/n)^2 to ((i + 1)/n)^2; the place next to the middle
- * of each. */
+/* Chooses, to look for an overlap, n parts of the line, from (i/n)^2 to ((i + 1)/n)^2, and the
+ * place next to the middle of each. */
 static void choose_parts(const rw_crack *crack, size_t at[])
 {
     const size_t n = RW_OVERLAP_PARTS;

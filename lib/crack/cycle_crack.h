@@ -37,7 +37,7 @@ size_t rw_crack_loads(const rw_crack *crack);
 /* The lengths of which K is asked in one call, to the best. */
 enum { RW_CRACK_LENGTHS = 16 };
 
-/* After each load: that of load i, length j at [i stride + j]. Both of the last may be NULL. */
+/* K after each load: that of load i, length j at [i stride + j]. Both of the last may be NULL. */
 typedef struct {
     size_t stride;
     double *I, *II;

@@ -6,7 +6,8 @@
 
 #include "base/complex.h"
 
-/* On the line: tension across it, and shear along it with the sign of txy on a normal line. */
+/* The stress on the line: tension across it, and shear along it with the sign of txy on a normal
+ * line. */
 typedef struct {
     double normal, shear;
 } rw_line_stress;

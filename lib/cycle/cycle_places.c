@@ -7,7 +7,7 @@
 #include "base/domain.h"
 #include "base/sort.h"
 
-/* So many steps across the contact, and so many beyond each edge; so many edges. */
+/* Steps across the contact, and beyond each edge; edges. */
 enum {
     INSIDE = 200,
     OUTSIDE = 40,

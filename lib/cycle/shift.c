@@ -5,7 +5,7 @@
 
 #include "history/gap.h"
 
-/* That of a computed state, without its shift. */
+/* The displacement in a computed state, without its shift. */
 static double computed_displacement(const rwedge_contact *c, double x)
 {
     return c->geometry.theta * rw_displacement_of(&c->computed.now->now, x);

@@ -49,10 +49,10 @@ static void note_edges(rw_state *next, const rwedge_contact *before, const rwedg
     }
 }
 
-/* Of the tolerance, the mean pressure and the compliance: the error of a computed slip. */
+/* The error of a computed slip, over the tolerance, the mean pressure and the compliance. */
 static const double SLIP_NOISE = 0.5;
 
-/* Where a computed state sticks. */
+/* Notes where a computed state sticks. */
 static bool note_sticks(rw_state *next, const rwedge_contact *after)
 {
     const rw_zones zones = rw_contact_zones(after);

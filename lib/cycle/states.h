@@ -31,7 +31,7 @@ typedef struct {
     double leave[2];         /* slip at the edge since the state before, where it moves inwards */
 } rw_state;
 
-/* So many places at which to measure a cycle at most. */
+/* The most places at which a cycle is measured. */
 enum { RW_CYCLE_PLACES = 479 };
 
 /* Edges of the contact, and of the zones that stick, and places to measure at: cycle_places.c. */
@@ -46,7 +46,7 @@ typedef struct {
 /* Adds those of a contact. false where memory is short. */
 bool rw_edges_add(rw_edges *edges, const rwedge_contact *contact);
 
-/* To be called after the last one: in ascending order, each once. */
+/* Puts all edges in ascending order, each once. To be called after the last one. */
 void rw_edges_settle(rw_edges *edges);
 
 /* The first state on the way is that before the cycle. */

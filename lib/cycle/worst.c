@@ -146,7 +146,7 @@ static int32_t check(const line *l, size_t n, const double x[], const double val
     return is_of_friction(l->measure) && l->y != 0 ? RWEDGE_EDOMAIN : RWEDGE_OK;
 }
 
-/* From place to place. */
+/* Finds it from place to place. */
 static int32_t find(line *l, size_t n, const double x[], const double value[], rw_maximum *best)
 {
     double *kept = malloc(n * sizeof *kept);

@@ -75,8 +75,8 @@ static double far_left(const search *s, double lo, double step)
     return lo;
 }
 
-/* From a left edge that is too far to the left towards the end of the profile, where M is infinite
- * and the tilt is 1. */
+/* Searches from a left edge that is too far to the left towards the end of the profile, where M is
+ * infinite and the tilt is 1. */
 static rw_patch search_patch(search *s, double lo, double end, double nearest)
 {
     double distance = end - lo;
@@ -98,7 +98,7 @@ static rw_patch sharp(double m, double P)
     return (rw_patch){-(P / 2) * (P / 2 / (m + s)), m + s};
 }
 
-/* From the centred patch. */
+/* The search begins with the centred patch. */
 static rw_patch patch_of_wedge(search *s)
 {
     const double a = s->arcs->rounding.right, P = s->P, wanted = s->wanted;
@@ -160,7 +160,7 @@ static rw_patch patch_of_pad(search *s)
     return patch_of_any(s);
 }
 
-/* That of -M or -delta is the mirror image to the last bit. */
+/* The patch of -M or -delta is the mirror image to the last bit. */
 static rw_patch patch_of(const rw_arcs *arcs, double P, double wanted, bool by_moment)
 {
     const bool is_mirrored = wanted < 0 && (!arcs->pad || arcs->pad->is_symmetric);
@@ -200,7 +200,7 @@ static double outwards(rw_patch patch, int side, double dP, double dM)
     return dP + side * 2 / rw_patch_half_width(patch) * (dM - rw_patch_middle(patch) * dP);
 }
 
-/* By halving. */
+/* Finds the turn of an edge by halving. */
 static double turn(const rw_arcs *arcs, int side, rw_pressing from, double dP, double dM)
 {
     enum { HALVINGS = 40 };
@@ -226,7 +226,7 @@ rw_turns rw_arcs_turns(const rw_arcs *arcs, rw_patch from, rw_patch to)
     return turns;
 }
 
-/* Of a straight way of load and tilt: an edge rests where the half-width is |dP|/(pi |d delta|)
+/* A straight way of load and tilt: an edge rests where the half-width is |dP|/(pi |d delta|)
  * (path.c). The half-width passes that value once, rising with the load, because the other edge
  * goes the way of the load. */
 rw_turns rw_arcs_turns_of_tilt(const rw_arcs *arcs, rw_patch from, rw_patch to)

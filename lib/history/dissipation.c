@@ -116,9 +116,9 @@ static double panel_integral(const layer *l, double shallow, double deep)
     return rw_integral(square_root, &p, sqrt(fmax(p.lo, 0)), sqrt(p.hi));
 }
 
-/* From one depth to another; B is one polynomial between them. There is a pole at u = 0, so the
- * panels get shorter towards it, in geometric sequence. Panels that rounding does not separate from
- * u = 0 add nothing, because B is of order u there. */
+/* The integral from one depth to another, between which B is one polynomial. There is a pole at u =
+ * 0, so the panels get shorter towards it, in geometric sequence. Panels that rounding does not
+ * separate from u = 0 add nothing, because B is of order u there. */
 static double smooth_integral(const layer *l, double shallow, double deep)
 {
     double sum = 0;
@@ -150,7 +150,8 @@ static double half_width_at(const layer *l, double depth)
     return rw_half_width(l->pad, fmax(0, l->top - depth));
 }
 
-/* Where B is another polynomial, where the contact reaches an arc, and in geometric sequence. */
+/* The integral is cut where B is another polynomial, where the contact reaches an arc, and in
+ * geometric sequence. */
 static double next_cut(const layer *l, const double cut[4], double from, double end)
 {
     const rw_pad *pad = l->pad->pad;

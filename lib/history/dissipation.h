@@ -6,8 +6,9 @@
 #include "formulas/size.h"
 #include "history/memory.h"
 
-/* In the straight step from the end of the path to a load: the integral of |p| |d(slip)|/f over
- * the contact, times pi/A. For a centred patch of a symmetric pad. Not negative, to rounding. */
+/* The integral of |p| |d(slip)|/f over the contact, times pi/A, in the straight step from the end
+ * of the path to a load, for a centred patch of a symmetric pad. It is not negative, to
+ * rounding. */
 double rw_dissipation(const rw_memory *memory, rw_memory_loads to, const rw_geometry *geometry);
 
 /* Off the centre: the integral of |p| times the slip of a step under constant load and moment over

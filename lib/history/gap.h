@@ -5,7 +5,8 @@
 
 #include "formulas/size.h"
 
-/* Outside a patch: of a wedge's in the middle, x > 0, with the half-width s; of any other. */
+/* The gap outside a patch: a wedge's patch in the middle, x > 0, with the half-width s; any
+ * patch. */
 double rw_centred_gap(double a, double s, double x);
 double rw_off_centre_gap(const rw_geometry *geometry, rw_patch patch, double x);
 

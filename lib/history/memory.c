@@ -215,7 +215,7 @@ static rw_corner between(const rw_corner *before, const rw_corner *after, double
                        .patch = UNKNOWN};
 }
 
-/* Where a path that does not slip is cut off, or goes on from. */
+/* A path that does not slip is cut off there, or goes on from there. */
 static rw_departure stuck_departure(const rw_path *path, rw_memory_loads to)
 {
     const double load = to.load;

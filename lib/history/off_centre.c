@@ -104,7 +104,7 @@ static double primitive(const outside *o, double w)
     return segment + from * from * omega_difference(o, at) / 4 + sum * omega(o, 0, at) / 2 - rest;
 }
 
-/* Where the closed form neither cancels next to the edge nor far away. */
+/* Between these w the closed form cancels neither as it does next to the edge nor as far away. */
 static const double NEAR = 0.06, FAR = 2;
 
 /* More panels than a patch of the domain can need: none of its angles is below 1e-160, no w above

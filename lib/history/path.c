@@ -245,7 +245,7 @@ static station first_station(const rw_step *s, int slip)
                      .stuck = front->patch};
 }
 
-/* On the straight way to the new load, where the contact is of that load. */
+/* The loads on the straight way to the new load, where `contact` is the patch of `load`. */
 static rw_memory_loads loads_at(const rw_step *s, double t, double load, rw_patch contact)
 {
     const rw_corner *end = rw_memory_end(s->memory);

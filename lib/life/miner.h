@@ -39,7 +39,8 @@ typedef struct {
     bool leaves_domain;
 } rw_miner_sum;
 
-/* With criterion and curve set. false where memory is short; destroyed in either case. */
+/* The sum has its criterion and curve then. false where memory is short; destroyed in either
+ * case. */
 bool rw_miner_create(rw_miner_sum *miner, size_t loads);
 void rw_miner_destroy(rw_miner_sum *miner);
 

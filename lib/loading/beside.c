@@ -94,7 +94,7 @@ static int32_t go_on(rwedge_contact *contact, rwedge_contact *ahead, rw_goal to)
     return RWEDGE_OK;
 }
 
-/* In closed form slip counts from here where there is no origin. */
+/* Slip in closed form counts from here where there is no origin. */
 int32_t rw_contact_follow_slip(rwedge_contact *contact)
 {
     rwedge_contact *beside = contact->beside;

@@ -46,7 +46,7 @@ static int32_t hold(rwedge_contact *c, bool is_held)
     return status;
 }
 
-/* On a copy, so that an error leaves all as it was. */
+/* A copy is turned, so that an error leaves all as it was. */
 int32_t rwedge_contact_set_rotation(rwedge_contact *contact, int32_t held)
 {
     if (!contact)

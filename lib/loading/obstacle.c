@@ -2,7 +2,7 @@
 /* Why a load has no closed form, and which other loads lead there: they are tried on copies. */
 #include "loading/step_to.h"
 
-/* In the order in which they are tried. The last always leads there. */
+/* The ways to a load, in the order in which they are tried. The last always leads there. */
 typedef enum { PRESSING_FIRST, SHEAR_FIRST, LESS_TENSION, FARTHER, SEPARATED, WAYS } way;
 
 enum { LOADS = 3 }; /* of a way, the last ones the same where there are fewer */

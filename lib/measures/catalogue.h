@@ -6,7 +6,8 @@
 #include "measures/stress_cycles.h"
 #include "measures/planes.h"
 
-/* From low to high; usual where a material does not give it, NAN where it has to. */
+/* A constant is a number from low to high; `usual` counts where a material does not give it, and is
+ * NAN where it has to. */
 typedef struct {
     const char *name, *text, *unit;
     double low, high, usual;

@@ -44,8 +44,8 @@ static double excess(double factor, const void *of)
     return value_with(factor, asked) - asked->limit;
 }
 
-/* From a factor of 1, where the criterion has that value, by doubling or halving as far as factors
- * are looked for; NaN where the limit is not passed. */
+/* The search begins with a factor of 1, where the criterion has that value, and doubles or halves
+ * it as far as factors are looked for; NaN where the limit is not passed. */
 static double search(const question *asked, double value)
 {
     const bool rises = value < asked->limit;

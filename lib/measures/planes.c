@@ -8,7 +8,8 @@
  * differ by rounding. */
 static const double TIE = 1e-8;
 
-/* Of the largest stress: no stress changes but by rounding where the amplitude is below that. */
+/* No stress changes but by rounding where the amplitude is below this part of the largest
+ * stress. */
 static const double NO_CHANGE = 1e-12;
 
 rw_severity rw_severity_in(const rw_criterion *c, double unit)
@@ -18,7 +19,7 @@ rw_severity rw_severity_in(const rw_criterion *c, double unit)
     return severity;
 }
 
-/* That of a strain is a product of two stresses. */
+/* The value of a criterion of strains is a product of two stresses. */
 double rw_value_in(const rw_criterion *c, double unit)
 {
     return c->per_value * (c->severity.is_strain ? unit * unit : unit);

@@ -7,7 +7,7 @@
 
 /* ---- One load ---- */
 
-/* On the equator, the quantity that counts by its range. */
+/* The quantity that counts by its range, on the equator. */
 static inline double along(bool is_strain, const rw_item *load, rw_direction psi)
 {
     const double C = psi.cosine, S = psi.sine;

@@ -15,7 +15,7 @@
 
 #include <float.h>
 
-/* Without room, an arc has no more than FEW members of a kind. More are not compared with each
+/* An arc without room has no more than FEW members of a kind. More are not compared with each
  * other. */
 enum { ARCS = 16, FEW = 64 };
 
@@ -419,7 +419,8 @@ static rw_direction start_of(int k)
     return (rw_direction){COSINES[k % ARCS], SINES[k % ARCS]};
 }
 
-/* As control_of(), for the largest of all waves: with the mean the tangents' point falls. */
+/* The control points of the largest of all waves, as control_of() has those of one: with the mean
+ * the tangents' point falls. */
 static control control_between(const survey *v, int kind, int k)
 {
     const double from = v->highest[kind][k % ARCS], to = v->highest[kind][(k + 1) % ARCS];

@@ -18,8 +18,8 @@
 
 #include <float.h>
 
-/* Where a curve of planes is nearly as bad, ever more cells are left. Of more than there is room
- * for, so many are kept, those with the highest bounds. */
+/* Where a curve of planes is nearly as bad, ever more cells are left. Where there is no room
+ * for all, so many are kept, those with the highest bounds. */
 enum { KEPT = RW_CELLS / 4 };
 
 /* Bounds of an eighth of the second derivatives of a quantity by chi and beta. */

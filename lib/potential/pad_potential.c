@@ -1,16 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Neighbouring arcs share a joint, where the curvature of the profile jumps by k_j. The potential
- * of all of them is a sum over the joints,
- *
- *     G  = C R - D + i sum K_j (z - t_j) l_j,   K_j = k_j s/pi,   t_j = cos(psi_j),
- *     G' = i sum K_j l_j - (C R + D)/X,         C = sum K_j psi_j,   D = sum K_j sin(psi_j),
- *
+ * of all of them is a sum over the joints, G = C R - D + i sum K_j (z - t_j) l_j, K_j = k_j s/pi,
+ * t_j = cos(psi_j), G' = i sum K_j l_j - (C R + D)/X, C = sum K_j psi_j, D = sum K_j sin(psi_j),
  * with one complex logarithm l_j (eccentric_form.h) for each joint; a sum over the arcs has two for
  * each arc. For arcs so curved that their terms would cancel, the arcs are added one by one
- * instead. An end on the left of the patch has psi = pi. Far away
- *
- *     G = sum K_j sum_n (S_(n-1) - S_(n+1)) R^n/n,   S_n = sin(n psi_j)/n, S_0 = psi_j.
- */
+ * instead. An end on the left of the patch has psi = pi. Far away G = sum K_j sum_n (S_(n-1) -
+ * S_(n+1)) R^n/n, S_n = sin(n psi_j)/n, S_0 = psi_j. */
 #define RW_VECTORS
 #include "potential/pad_potential.h"
 
@@ -143,7 +138,7 @@ static void begin(joints *p, rw_patch patch)
     p->count = 0;
 }
 
-/* Without S_0, whose sum is C. */
+/* Adds the series without S_0, whose sum is C. */
 static void add_series(rw_eccentric *whole, const joint *j)
 {
     double before = 0, now = j->cosine, wave = j->cosine, last = 0; /* wave: sin(n psi) */

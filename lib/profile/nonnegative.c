@@ -68,8 +68,8 @@ static int32_t best_entry(const problem *p, const double u[], const bool refused
     return best;
 }
 
-/* From allowed unknowns towards the solution, as far as none becomes negative; those that reach 0
- * are held there. */
+/* Goes from allowed unknowns towards the solution, as far as none becomes negative; those that
+ * reach 0 are held there. */
 static void step(problem *p, int32_t free_count, const double solution[], double u[])
 {
     double part = 1;

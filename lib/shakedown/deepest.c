@@ -65,7 +65,7 @@ typedef struct {
     rw_least_peak *last; /* at the depth before */
 } climb;
 
-/* If not from the whole path, from the places that touch at the depth before. */
+/* The slope follows from the whole path, or from the places that touch at the depth before. */
 static double slope_at(double log_y, const void *context)
 {
     const climb *c = context;
@@ -98,7 +98,7 @@ typedef struct {
     rw_least_peak peak;
 } top;
 
-/* From a depth upwards; false where there is no maximum. */
+/* Climbs from a depth upwards; false where there is no maximum. */
 static bool climb_from(const climb *c, double log_y, const rw_least_peak *start, top *to)
 {
     *c->last = *start;

@@ -17,7 +17,7 @@ typedef struct {
     double t[RW_TOPS], weight[RW_TOPS];
 } rw_least_peak;
 
-/* From a grid alone: not above the exact one, and below it by less than 5 %. */
+/* The least peak from a grid alone: not above the exact one, and below it by less than 5 %. */
 double rw_least_peak_coarse(const rw_pass *pass, double y);
 
 /* Relative error of the peak below 1e-11, if no two tops of the path are closer than two steps of

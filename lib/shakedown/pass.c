@@ -82,8 +82,8 @@ static void reverse(size_t n, double t[])
     }
 }
 
-/* From a mark up to `length` away, neither the mark nor the end itself; side -1 is towards smaller
- * t. The places are in the order of t. */
+/* Puts places from a mark up to `length` away, neither the mark nor the end itself; side -1 is
+ * towards smaller t. The places are in the order of t. */
 static void put_beside(rw_pass_path *path, double mark, double length, int side)
 {
     const size_t before = path->n;

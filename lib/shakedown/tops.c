@@ -29,7 +29,7 @@ static double top_of(const triple *p)
     return fmin(fmax(top, p->t[0]), p->t[2]);
 }
 
-/* By what part the steps around a top become smaller, time after time. */
+/* The parts by which the steps around a top become smaller, time after time. */
 static const double PARTS[] = {0.25, 0.1, 0.03, 0.03};
 enum { NARROWINGS = 4 };
 

@@ -18,7 +18,7 @@ static inline double rw_square_from(const double centre[2], const rw_point *p)
     return x * x + y * y + p->x[2] * p->x[2];
 }
 
-/* Those that may exceed a given square, at most RW_TOPS. Squares to 1e-12. */
+/* Finds the tops that may exceed a given square, at most RW_TOPS, with squares to 1e-12. */
 enum { RW_TOPS = 10 };
 int rw_tops(const rw_pass_path *path, const double centre[2], double square, rw_top tops[]);
 

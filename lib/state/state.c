@@ -224,7 +224,7 @@ static void pass_zones(stream *t, rw_zones *z)
     require(t, z->count > 0);
 }
 
-/* That of unlike bodies. */
+/* Passes the pressure of unlike bodies. */
 static void pass_pressure(stream *t, rw_numerical_state *s)
 {
     if (!t->contact->unlike)

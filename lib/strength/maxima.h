@@ -10,8 +10,8 @@ typedef struct {
     double J2, x, y;
 } rw_maximum;
 
-/* That over y = 0. alpha in (0, 1]; the contact beyond is that of alpha = 1, with stresses 1/alpha
- * of it. */
+/* The maximum over y = 0. alpha in (0, 1]; the contact beyond is that of alpha = 1, with stresses
+ * 1/alpha of it. */
 rw_maximum rw_surface_maximum(double alpha, double f, double kappa);
 
 /* The local maximum at y > 0. False where there is none; *maximum is then untouched. */

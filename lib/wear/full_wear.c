@@ -67,7 +67,8 @@ static int32_t find_end(const rwedge_contact *contact, double Q_a, end_of_wear *
 
 /* ---- How far it wears ---- */
 
-/* On one side of the zone, right or left (1 or -1): x by the angle t, as x - m = s cosh(t). */
+/* One side of the zone, right or left (1 or -1), where x follows from the angle t: x - m = s
+ * cosh(t). */
 typedef struct {
     const end_of_wear *end;
     int side;

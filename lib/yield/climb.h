@@ -16,7 +16,7 @@ typedef struct {
     double top_x, top_y, top_radius;
 } rw_highest;
 
-/* In polar coordinates around a mark. */
+/* A place in polar coordinates around a mark. */
 typedef struct {
     double angle, log_radius;
 } rw_polar;

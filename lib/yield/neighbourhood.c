@@ -6,7 +6,7 @@
 
 #include "base/domain.h"
 
-/* In radii of the disc. */
+/* Distances in radii of the disc. */
 static const double FAR = 5, INTERVAL = 2;
 
 /* A series takes as long as this many patches. */

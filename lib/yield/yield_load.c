@@ -85,8 +85,8 @@ static point start(search *s)
     return p;
 }
 
-/* From a point to the other side of the limit, step by step. Whether there is one; towards loads
- * that are refused the steps are shortened. */
+/* Goes from a point to the other side of the limit, step by step; false where there is none. Steps
+ * towards loads that are refused are shortened. */
 static bool cross(search *s, point *from, point *to)
 {
     double most = STEP_MOST;

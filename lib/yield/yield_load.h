@@ -5,8 +5,8 @@
 
 #include "contact/contact.h"
 
-/* By what a contact may be multiplied until it is at the limit, and where that is: as
- * rwedge_contact_yield_factor(). */
+/* Finds by what a contact may be multiplied until it is at the limit, and where that is, as
+ * rwedge_contact_yield_factor() does. */
 typedef int32_t rw_factor(const rwedge_contact *contact, double nu, double k, double *factor,
                           double *x, double *y);
 

@@ -6,7 +6,7 @@
 
 /* ---- crack_law ---- The constants of its growth. */
 
-/* In the unit of the lengths; NAN where not given. */
+/* Numbers in the unit of the lengths; NAN where not given. */
 typedef struct {
     double dK_th, ds0, C, m, K_c;
 } crack_law;
@@ -41,7 +41,7 @@ typedef struct {
     crack_law law;
 } crack_case;
 
-/* So many lengths from one to another, each longer by the same factor. */
+/* Gives n lengths from one to another, each longer by the same factor. */
 void crack_lengths(double from, double to, size_t n, double length[]);
 
 /* K of an angle after each load for each length; of loads times lengths numbers each, to be freed
@@ -59,7 +59,7 @@ typedef struct {
     int32_t status;
 } crack_ranges;
 
-/* By K of faces that pass through each other; NULL where faces press. */
+/* The ranges by K of faces that pass through each other; NULL where faces press. */
 crack_ranges crack_ranges_of(const crack_case *crack, double angle, const crack_K *K);
 
 /* The growth from one length to another. */
@@ -73,7 +73,7 @@ typedef struct {
 crack_growth crack_growth_of(const crack_case *crack, double angle, bool presses, int shear,
                              double from, double to);
 
-/* From the first length to the last, of faces that press. */
+/* The growth from the first length to the last, of faces that press. */
 crack_growth crack_verdict_of(const crack_case *crack, double angle, int shear);
 
 bool crack_grows(const crack_growth *g); /* it does not stop */
@@ -90,7 +90,8 @@ void crack_sentence(const crack_case *crack, int shear, const crack_growth *g,
 int crack_sentence_of_all(const crack_case *crack, const crack_growth growth[SHEARS],
                           char text[CRACK_SENTENCE]);
 
-/* That the contact is as if there were no crack, where the crack is too long for it; else empty. */
+/* Says that the contact is as if there were no crack, where the crack is too long for it; else
+ * empty. */
 void crack_length_said(const crack_case *crack, char text[CRACK_SENTENCE]);
 
 #endif

@@ -50,7 +50,7 @@ criteria criteria_usual(const contact_case *setup)
     return asked;
 }
 
-/* Of the contact; otherwise as it is given; otherwise the usual one. */
+/* The constant is that of the contact; otherwise as it is given; otherwise the usual one. */
 static double constant_of(const contact_case *setup, const criteria *asked, int number, int j)
 {
     const char *name = rwedge_constant_name(number, j);

@@ -117,13 +117,13 @@ bool material_take_all(size_t count, const constant_words words[], const unit_sy
  * growth of a crack, on which the unit of its factor depends. */
 double material_conversion(int constant, double m, const unit_system *from, const unit_system *to);
 
-/* Without any constant. */
+/* A material without any constant. */
 material material_unknown(void);
 
 /* The constant of a name; -1 where none is known. */
 int material_constant(const char *name);
 
-/* That of a name that is known. */
+/* The constant of a name that is known. */
 double material_value(const material *constants, const char *name);
 
 /* Whether a name is a remark on the constants, such as their source; "units" is that of their

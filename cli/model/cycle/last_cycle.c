@@ -185,7 +185,7 @@ static bool is_rubbed(const last_cycle *cycle, double x, double y)
     return y == 0 && x >= cycle->left - rounding && x <= cycle->right + rounding;
 }
 
-/* Those of friction at places in contact, beside what a list of n numbers has room for. */
+/* Measures friction at places in contact; `work` has room for five lists of n numbers. */
 static int32_t friction_of(const last_cycle *cycle, size_t n, const double x[], double *work,
                            measured_place at[])
 {
@@ -198,7 +198,7 @@ static int32_t friction_of(const last_cycle *cycle, size_t n, const double x[], 
     return status;
 }
 
-/* From the places in contact back to all. */
+/* Measures friction at the places in contact, and hands it back to all. */
 static int32_t friction(const last_cycle *cycle, size_t n, const double x[], const double y[],
                         measured_place at[])
 {

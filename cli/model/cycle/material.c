@@ -181,7 +181,7 @@ static const char *with_unit(int i, const char *text, const char *units, char ro
     return room;
 }
 
-/* That of the numbers; NULL where none is said. */
+/* The units of the numbers; NULL where none are said. */
 static const char *units_of_words(size_t count, const constant_words words[])
 {
     for (size_t i = 0; i < count; i++)

@@ -59,7 +59,7 @@ static double archard(const criteria *asked)
     return asked->archard;
 }
 
-/* So many times a measure, in its own words; each is a column after those above. */
+/* Multiples of measures, in their own words; each is a column after those above. */
 static const struct {
     int32_t number;
     column_condition condition;
@@ -154,7 +154,7 @@ typedef struct {
     int count;
 } all_columns;
 
-/* Those of criteria that the library has got since. */
+/* Adds the columns of criteria that the library has got since. */
 static void add_others(all_columns *all)
 {
     for (int32_t number = 0; number < rwedge_criterion_count(); number++)

@@ -66,7 +66,7 @@ measured stops_at(const last_cycle *cycle, size_t n, const double x[])
     return all;
 }
 
-/* As in rwedge_cycle_worst(): a place cycles if its amplitude is at least this part of the
+/* A place cycles, as in rwedge_cycle_worst(), if its amplitude is at least this part of the
  * largest. */
 static const double CYCLES = 1e-3;
 

@@ -16,8 +16,8 @@ static int32_t stresses_of(const last_cycle *cycle, const distance *below, bool 
                               below->is_line, stress, stress + n, stress + 2 * n);
 }
 
-/* Where the criterion has a value that it must not exceed. Damage has no factor: it is no measure
- * of a stress. */
+/* The factor is there where the criterion has a value that it must not exceed. Damage has none: it
+ * is no measure of a stress. */
 static double factor_of(const last_cycle *cycle, int criterion, double allowable,
                         const double *stress)
 {

@@ -83,7 +83,8 @@ size_t header_missing(const header *names, const char *const cells[], char decim
 
 /* ---- Columns that nothing uses ---- */
 
-/* With either decimal sign, or in percent: a column that is not read has not been checked. */
+/* The number may have either decimal sign, or be in percent: a column that is not read has not been
+ * checked. */
 static bool looks_like_number(const char *text)
 {
     char bare[40];
@@ -116,7 +117,7 @@ void header_write_unused(const header *names, char *text, size_t size)
 
 const char displacement_column[] = "displacement";
 
-/* Of loads that are driven. What a file has for Q besides was measured. */
+/* Finds the column by which loads are driven. What a file has for Q besides was measured. */
 static bool find_displacement(header *names, complaint *why)
 {
     if (!header_column(names, displacement_column, &names->displacement, why))

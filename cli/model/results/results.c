@@ -90,7 +90,7 @@ static void put_peak(double pressure, double x, cell row[])
     row[RESULT_P0_X] = isnan(pressure) ? cell_text("") : cell_number(x);
 }
 
-/* Of the contact under P alone, whose half-width is b. */
+/* Sizes of the contact under P alone, whose half-width is b. */
 static void geometry(const contact_case *setup, double b, cell row[])
 {
     const pad *shape = &setup->shape;
@@ -141,7 +141,7 @@ static int32_t put_peak_of(const rwedge_contact *contact, cell row[])
     return status == RWEDGE_EABSENT ? RWEDGE_OK : status;
 }
 
-/* Those of the wedge hold for similar bodies. */
+/* The formulas of the wedge hold for similar bodies. */
 static bool has_formulas(const contact_case *setup)
 {
     return pad_has_formulas(&setup->shape) && !setup->is_coupled;
@@ -219,8 +219,7 @@ static bool yield_place(const contact_case *setup, double P_yield, cell row[], c
 /* The library looks for first yield up to this b/a. */
 static const double WIDTH_MOST = 1e14;
 
-/* Where no load yields as far as the library looks: the load there, as a power of ten, is a
- * bound. */
+/* The bound where no load yields as far as the library looks: the load there, as a power of ten. */
 static void bound_safety(const contact_case *setup, results *answer)
 {
     const pad *shape = &setup->shape;
@@ -320,8 +319,8 @@ static bool compute(const contact_case *setup, double b, results *answer, compla
     return !slides_centred || !is_formula || strength(setup, b, row, why);
 }
 
-/* Where P_yield is: in full sliding, without moment and tension; in plane strain. Empty where the
- * library finds no load that is too large. */
+/* The columns are there where P_yield is: in full sliding, without moment and tension; in plane
+ * strain. They are empty where the library finds no load that is too large. */
 static void add_shakedown(const contact_case *setup, results *answer)
 {
     const pad *shape = &setup->shape;

@@ -73,7 +73,8 @@ bool results_compute(const contact_case *setup, results_wanted wanted, results *
  * the library's status. */
 int32_t results_find_hardest(const contact_case *setup, results *answer);
 
-/* In full sliding under this P: as the yield factor, of the stress. NAN where it is not known. */
+/* The factor on the stress in full sliding under this P, as the yield factor is. NAN where it is
+ * not known. */
 double results_sliding_factor(const results *answer);
 
 /* Adds to the warnings. */
@@ -131,8 +132,8 @@ typedef struct {
     const char *unit; /* the dimension, as that of a column */
 } equation;
 
-/* Those whose right side is a formula of the pad and its loads: how many. What is searched for, as
- * the load at first yield, has none. */
+/* Gives the equations whose right side is a formula of the pad and its loads, and tells how many.
+ * What is searched for, as the load at first yield, has none. */
 int equations_of(const contact_case *setup, const results *answer, equation to[EQUATIONS_MAX]);
 
 /* Finds the value of the input with which the factor on the stress is that: under the loads as they

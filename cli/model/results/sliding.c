@@ -64,7 +64,7 @@ static int32_t slide(const search *s, double value, sliding *at)
     return status;
 }
 
-/* Of Hertz' contact the stress grows with the root of P, and falls with that of the radius. */
+/* The stress of Hertz' contact grows with the root of P, and falls with that of the radius. */
 static bool bracket(const search *s, sliding *from, sliding *to)
 {
     enum { STEPS_MOST = 60 };

@@ -61,7 +61,8 @@ static void add_present(const writer *w, const results *answer, double factor)
                  body_of(answer));
 }
 
-/* Of the stress, where the present one is not known, and of P: the contact grows with that. */
+/* Adds the factor on the stress, where the present one is not known, and that on P, with which the
+ * contact grows. */
 static void add_sliding(const writer *w, const results *answer, bool alone)
 {
     char text[NUMBER_SIZE];

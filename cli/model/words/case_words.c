@@ -6,7 +6,7 @@
 
 const char case_version_name[] = "rwedge_case";
 
-/* Beside the inputs. */
+/* Words beside the inputs. */
 static const case_word others[] = {
     {"", "units", "units", WORD_TEXT, INPUT_COUNT},
     {"", "width", "width", WORD_QUANTITY, INPUT_COUNT},

@@ -22,8 +22,8 @@ static bool find(const char *name, char path[MAX_PATH])
     return length > 0 && length < MAX_PATH;
 }
 
-/* With the files in place of our standard streams, which come back afterwards. The status, or -1
- * with errno. */
+/* Runs it with the files in place of our standard streams, which come back afterwards. Returns the
+ * status, or -1 with errno. */
 static intptr_t run(const char *path, const char *const words[], FILE *const streams[STREAMS])
 {
     int own[STREAMS];

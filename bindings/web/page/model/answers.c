@@ -191,7 +191,7 @@ static void add_told(void *context, const char *text)
     json_add("{'told':[%t]}", text);
 }
 
-/* As a report has them: what was assumed, which errors are told. */
+/* Writes what was assumed, and which errors are told, as a report has them. */
 static void write_remarks(const contact_case *setup, const input_texts *texts,
                           const results *answer)
 {
@@ -251,8 +251,8 @@ static void write_results(const contact_case *setup, const input_texts *texts, c
     write_equations(setup, &answer);
 }
 
-/* Of the case of the form: its inputs, numbers and results, or what is wrong; its verdict, with the
- * unit of lengths. The contact under its loads is handed over. */
+/* Answers the case of the form: its inputs, numbers and results, or what is wrong; its verdict,
+ * with the unit of lengths. The contact under its loads is handed over. */
 EXPORTED const char *page_answer(char *fields, const char *length, int decimal_sign)
 {
     contact_case setup = {.contact = NULL};
@@ -284,9 +284,9 @@ bool answers_history(char *fields, bool is_plane_stress, contact_case *setup, lo
     return write_case(&texts, CASE_OF_HISTORY, setup);
 }
 
-/* Of the case of the form, whose own text of that input does not count: the number that gives the
- * safety, or why there is none. `on` is "P", of full sliding; "stress", under the loads; or
- * "sliding", the stress in full sliding. */
+/* Finds, for the case of the form, whose own text of that input does not count, the number that
+ * gives the safety, or says why there is none. `on` is "P", of full sliding; "stress", under the
+ * loads; or "sliding", the stress in full sliding. */
 EXPORTED const char *page_find(char *fields, const char *name, const char *on, double safety)
 {
     input_texts texts = field_texts(fields);

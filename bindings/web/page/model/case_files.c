@@ -44,8 +44,8 @@ static void write_profile(void)
         json_add("{'case':{'pad':{'origin':'lowest'}}}");
 }
 
-/* Of the case of the form, all but wrong inputs: its version and its groups, forces of the whole
- * contact where it has a width, or a section; and these. */
+/* Writes the case of the form, all but wrong inputs: its version and its groups, forces of the
+ * whole contact where it has a width, or a section; and these. */
 EXPORTED const char *page_case(char *fields)
 {
     const input_texts texts = field_texts(fields);

@@ -95,7 +95,7 @@ static void write_rows(table_input *rows, case_table *table)
         json_refuse("", "%s", pasted_problem(rows));
 }
 
-/* Of pasted rows, and the case of the form for the columns that they lack: columns, results,
+/* Answers pasted rows, with the case of the form for the columns that they lack: columns, results,
  * constants, rows with their colour and fault, columns that are not used. */
 EXPORTED const char *page_rows(const char *text, char *fields, int decimal_sign)
 {

@@ -12,15 +12,15 @@ unit_system units_named(const char *words)
     return units_read(words, &units, &why) ? units : units_unknown;
 }
 
-/* Of a number of a dimension, as inputs and constants have it. */
+/* The factor of a number of a dimension, as inputs and constants have it. */
 EXPORTED double page_factor(const char *from, const char *to, const char *dimension)
 {
     const unit_system before = units_named(from), after = units_named(to);
     return units_conversion(&before, &after, dimension);
 }
 
-/* Of a constant of a material; 1 where the name is unknown. The factor of paris_C depends on the
- * exponent; it is 1 where the text of that is no number. */
+/* The factor of a constant of a material; 1 where the name is unknown. The factor of paris_C
+ * depends on the exponent; it is 1 where the text of that is no number. */
 EXPORTED double page_constant_factor(const char *from, const char *to, const char *name,
                                      const char *exponent)
 {

@@ -70,7 +70,7 @@ static bool read_constants(char *lines)
     return is_read;
 }
 
-/* By its column. */
+/* Chooses a measure by its column. */
 static void choose(const char *column)
 {
     asked.column = measure_column_named(column);
@@ -188,7 +188,8 @@ static bool collect_loads(load form, const char *text, char decimal_sign, const 
 
 /* ---- The measures ---- */
 
-/* At places along the surface, and where they are worst. The pressure is infinite at none. */
+/* Measures at places along the surface, and where they are worst. The pressure is infinite at
+ * none. */
 static int32_t measure(void)
 {
     size_t n = 0;

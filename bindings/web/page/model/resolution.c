@@ -69,7 +69,8 @@ static double change_without_half(const contact_case *setup, const pairs *places
     return change;
 }
 
-/* Of the places that were fitted last: a slider asks about the same ones again and again. */
+/* The answer for the places that were fitted last: a slider asks about the same ones again and
+ * again. */
 static struct {
     size_t count;
     double *x, *height;

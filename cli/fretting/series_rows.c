@@ -149,18 +149,6 @@ static void write_none(const job *j, records *rows)
         records_value(rows, cell_text(""));
 }
 
-/* The error has the whole row with it where the columns cannot show it. */
-static void write_error(const job *j, const test_row *row, records *rows)
-{
-    const bool is_hidden = row->row.malformed || row->row.count > j->table->all.names.count;
-    const size_t size = sizeof row->why + strlen(row->row.whole) + 3;
-    char *error = memory_zeroed(size, 1);
-    snprintf(error, size, "%s%s%s", row->why.text, is_hidden ? ": " : "",
-             is_hidden ? row->row.whole : "");
-    records_value(rows, cell_text(error));
-    free(error);
-}
-
 static void write_rows(void *of_job, records *rows)
 {
     const job *j = of_job;
@@ -174,7 +162,9 @@ static void write_rows(void *of_job, records *rows)
             write_results(j, &table->run[i], rows);
         else
             write_none(j, rows);
-        write_error(j, row, rows);
+        char *error = csv_row_fault(&row->row, table->all.names.count, row->why.text);
+        records_value(rows, cell_text(error));
+        free(error);
         records_end_row(rows);
     }
 }

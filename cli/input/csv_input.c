@@ -373,3 +373,12 @@ void csv_row_free(csv_row *row)
     free(row->cell);
     row->cell = NULL;
 }
+
+char *csv_row_fault(const csv_row *row, size_t columns, const char *why)
+{
+    const bool is_hidden = row->malformed || row->count > columns;
+    const size_t size = strlen(why) + strlen(row->whole) + 3;
+    char *fault = memory_zeroed(size, 1);
+    snprintf(fault, size, "%s%s%s", why, is_hidden ? ": " : "", is_hidden ? row->whole : "");
+    return fault;
+}

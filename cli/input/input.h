@@ -103,6 +103,10 @@ void csv_input_close(csv_input *in);
 void csv_row_keep(const csv_input *in, csv_row *row);
 void csv_row_free(csv_row *row);
 
+/* What is wrong with a row, for a column "error" beside its cells: with the whole row where the
+ * columns of its table cannot show it. Free it. */
+char *csv_row_fault(const csv_row *row, size_t columns, const char *why);
+
 /* ---- table_input ---- A table in a file: what stands above it is passed over, its header is
  * found,
  * and its units; the rows below it, without comments, which begin with #. Memory holds a row. */

@@ -76,7 +76,6 @@ static cell cell_of(const run *r, const csv_row *row, size_t column)
                : cell_text(text);
 }
 
-/* The error has the whole row with it where the columns cannot show it. */
 static void write_row(run *r, const csv_row *row, const answer *solution)
 {
     for (size_t i = 0; i < r->table.names.count; i++)
@@ -84,11 +83,7 @@ static void write_row(run *r, const csv_row *row, const answer *solution)
     for (int i = 0; i < RESULT_COUNT; i++)
         if (r->table.shown[i])
             records_value(r->rows, solution->solved ? solution->results.value[i] : cell_text(""));
-    const bool is_hidden = row->malformed || row->count > r->table.names.count;
-    const size_t size = sizeof solution->why + strlen(row->whole) + 3;
-    char *error = memory_zeroed(size, 1);
-    snprintf(error, size, "%s%s%s", solution->why.text, is_hidden ? ": " : "",
-             is_hidden ? row->whole : "");
+    char *error = csv_row_fault(row, r->table.names.count, solution->why.text);
     records_value(r->rows, cell_text(error));
     free(error);
     records_end_row(r->rows);

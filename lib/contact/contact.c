@@ -52,25 +52,6 @@ int32_t rwedge_contact_create(double theta, double a, double A, double f, rwedge
     return contact ? rw_contact_create(&geometry, f, contact) : RWEDGE_ENULL;
 }
 
-int32_t rwedge_contact_set_strain(rwedge_contact *contact, double strain_per_tension)
-{
-    if (!contact)
-        return RWEDGE_ENULL;
-    if (!rw_is_magnitude(strain_per_tension) || contact->phase != RW_APART)
-        return RWEDGE_EDOMAIN;
-    const double strain = 4 * (strain_per_tension / contact->geometry.A);
-    if (!rw_is_magnitude(strain))
-        return RWEDGE_EDOMAIN;
-    contact->strain = strain;
-    contact->memory.corners[0].stretch = rw_contact_stretch(contact, contact->loads.sigma);
-    return RWEDGE_OK;
-}
-
-double rwedge_contact_strain(const rwedge_contact *contact)
-{
-    return contact ? contact->strain * (contact->geometry.A / 4) : NAN;
-}
-
 int32_t rwedge_contact_allow_error(rwedge_contact *contact, double tolerance)
 {
     if (!contact)

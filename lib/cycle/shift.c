@@ -5,6 +5,13 @@
 
 #include "history/gap.h"
 
+double rw_slip_at(const rwedge_contact *c, double x)
+{
+    double slip = 0;
+    rwedge_contact_slip(c, 1, &x, &slip);
+    return slip;
+}
+
 /* The displacement in a computed state, without its shift. */
 static double computed_displacement(const rwedge_contact *c, double x)
 {

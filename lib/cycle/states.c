@@ -7,13 +7,6 @@
 
 #include <stdlib.h>
 
-double rw_slip_at(const rwedge_contact *c, double x)
-{
-    double slip = 0;
-    rwedge_contact_slip(c, 1, &x, &slip);
-    return slip;
-}
-
 rw_patch rw_ring_of(rw_patch old, rw_patch now, int side)
 {
     const bool is_new = isnan(old.left) || !(fmax(old.left, now.left) < fmin(old.right, now.right));

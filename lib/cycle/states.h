@@ -106,6 +106,12 @@ rw_piece_sum *rw_cycle_room(const rwedge_cycle *cycle);
 
 rw_slip_measures rw_slip_measures_at(const rwedge_cycle *cycle, double x, rw_piece_sum room[]);
 
+/* The patch of a contact; NaN where the bodies are apart. */
+static inline rw_patch rw_patch_of(const rwedge_contact *c)
+{
+    return c->memory.count > 1 ? rw_memory_end(&c->memory)->patch : (rw_patch){NAN, NAN};
+}
+
 /* The inner and the outer end, as left and right, of what a step from the patch `old` to `now` has
  * added to the contact, or taken from it, at its left (0) or right (1) edge. A contact that lies
  * apart from the old one is all new, from its middle on. */

@@ -6,16 +6,10 @@
 
 #include "cycle/states.h"
 
-/* The patch of a contact; NaN where the bodies are apart. */
-static inline rw_patch rw_patch_of(const rwedge_contact *c)
-{
-    return c->memory.count > 1 ? rw_memory_end(&c->memory)->patch : (rw_patch){NAN, NAN};
-}
-
 /* The slip of a place in contact. */
 double rw_slip_at(const rwedge_contact *contact, double x);
 
-/* The displacement in the first state, and after a step: shift.c. */
+/* The displacement in the first state, and after a step. */
 rw_displacement rw_first_displacement(const rwedge_contact *contact);
 rw_displacement rw_next_displacement(rw_displacement last, const rwedge_contact *before,
                                      const rwedge_contact *after);

@@ -82,14 +82,6 @@ void input_options_prepare(void);
 /* How files are read: their units, columns and rows; for a command without inputs, too. */
 extern struct poptOption reading_option_table[];
 
-/* The working units that a command line gives, or those that are assumed where it gives none. */
-const unit_system *units_of(const arguments *line);
-void units_assume(const unit_system *units);
-
-/* A size of a dimension that an option gives, above 0; NAN where it does not. */
-double option_size(const arguments *line, int number, const char *name, const char *dimension,
-                   const unit_system *units);
-
 /* How the files of a command line are to be read. */
 reading reading_of(const arguments *line, char decimal_sign);
 
@@ -102,6 +94,16 @@ void input_texts_from_options(const arguments *line, input_texts *texts);
 
 /* Refuses --hull without a profile. */
 void input_options_check_hull(const arguments *line);
+
+/* ---- unit_options ---- The working units. */
+
+/* The working units that a command line gives, or those that are assumed where it gives none. */
+const unit_system *units_of(const arguments *line);
+void units_assume(const unit_system *units);
+
+/* A size of a dimension that an option gives, above 0; NAN where it does not. */
+double option_size(const arguments *line, int number, const char *name, const char *dimension,
+                   const unit_system *units);
 
 /* ---- material_file ---- Constants of a material, by --material: one that is shipped, a file, or
  * an object, {"su": 900}. What is wrong ends the command. */

@@ -2,46 +2,7 @@
 #include "cycle.h"
 
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
-
-/* ---- Criteria ---- */
-
-bool criterion_is_damage(int criterion)
-{
-    return criterion >= DAMAGE;
-}
-
-bool criterion_exists(int criterion)
-{
-    return criterion_is_damage(criterion) ? rwedge_damage_constants(criterion - DAMAGE) > 0
-                                          : rwedge_criterion_constants(criterion) > 0;
-}
-
-const char *criterion_name(int criterion)
-{
-    static char names[CRITERION_COUNT][MEASURE_NAME_SIZE];
-    char *name = names[criterion];
-    snprintf(name, MEASURE_NAME_SIZE, "%s%s",
-             rwedge_criterion_name(criterion_is_damage(criterion) ? criterion - DAMAGE : criterion),
-             criterion_is_damage(criterion) ? "-damage" : "");
-    for (char *c = name; *c != '\0'; c++)
-        *c = *c == '_' ? '-' : *c;
-    return name;
-}
-
-bool column_is_wanted(const criteria *asked, int column)
-{
-    const measure_kind *kind = measure_kind_of(column);
-    switch (kind->condition) {
-    case COLUMN_OF_ARCHARD:
-        return !isnan(asked->archard);
-    case COLUMN_OF_CRITERION:
-        return asked->is_wanted[kind->criterion];
-    default:
-        return true;
-    }
-}
 
 criteria criteria_usual(const contact_case *setup)
 {

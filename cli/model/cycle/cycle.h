@@ -7,8 +7,7 @@
 #include <stdbool.h>
 #include <stdint.h>
 
-/* ---- measures ---- What a cycle of loads does to a place: the columns of "rwedge fretting", in
- * words. */
+/* ---- criterion_numbers ---- */
 
 /* A criterion is the number that the library gives it; that plus DAMAGE is its damage. NO_CRITERION
  * is what is none: the range of sxx, and measures of friction. */
@@ -20,6 +19,9 @@ bool criterion_is_damage(int criterion);
 
 /* "modified-wohler", "swt-damage": as --criteria has it. */
 const char *criterion_name(int criterion);
+
+/* ---- measures ---- What a cycle of loads does to a place: the columns of "rwedge fretting", in
+ * words. */
 
 /* The columns of a criterion: its value, the angles of its plane in degrees, and of damage the
  * number of cycles. What is no criterion is a value; so many times a value is a multiple. */
@@ -56,6 +58,9 @@ typedef struct {
 /* The columns, in their order; there are measure_count(). */
 int measure_count(void);
 const measure_kind *measure_kind_of(int column);
+
+/* Whether a column is written. */
+bool column_is_wanted(const struct criteria *asked, int column);
 
 /* The column of a name; -1 where there is none. */
 int measure_column_named(const char *name);
@@ -147,9 +152,6 @@ typedef struct criteria {
     material given;                          /* by options, or by --material */
     double constants[DAMAGE][CONSTANTS_MAX]; /* of each criterion, then of its curve of life */
 } criteria;
-
-/* Whether a column is written. */
-bool column_is_wanted(const criteria *asked, int column);
 
 /* The criteria by default: Smith, Watson and Topper's alone, in plane strain. */
 criteria criteria_usual(const contact_case *setup);

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "cycle.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -224,4 +225,17 @@ int measure_damage(int criterion)
 {
     const bool has_damage = !criterion_is_damage(criterion) && criterion_exists(criterion + DAMAGE);
     return has_damage ? criterion + DAMAGE : criterion;
+}
+
+bool column_is_wanted(const criteria *asked, int column)
+{
+    const measure_kind *kind = measure_kind_of(column);
+    switch (kind->condition) {
+    case COLUMN_OF_ARCHARD:
+        return !isnan(asked->archard);
+    case COLUMN_OF_CRITERION:
+        return asked->is_wanted[kind->criterion];
+    default:
+        return true;
+    }
 }

@@ -5,6 +5,7 @@
 #include "base/domain.h"
 #include "base/processor.h"
 #include "base/tuned.h"
+#include "traction/legendre.h"
 
 #include <float.h>
 #include <string.h>
@@ -17,15 +18,6 @@ enum { DEPTH = 12 };
 static const double SHORTEST = 1e-8, ROUNDED = 64 * DBL_EPSILON;
 
 /* ---- Legendre polynomials ---- */
-
-/* (2k + 1)/(k + 1) and (k + 1)/(k + 2). */
-#define FOUR(F, K) F(K), F(K + 1), F(K + 2), F(K + 3)
-#define SIXTEEN(F) FOUR(F, 0), FOUR(F, 4), FOUR(F, 8), FOUR(F, 12)
-#define RISE_OF(K) ((2.0 * (K) + 1) / ((K) + 1))
-#define FALL_OF(K) (((K) + 1.0) / ((K) + 2))
-
-static const double RISE[] = {SIXTEEN(RISE_OF), RISE_OF(RW_TERMS)};
-static const double FALL[] = {SIXTEEN(FALL_OF)};
 
 /* The nodes of an element, and the Legendre polynomials there, which give the coefficients from
  * values at the nodes. */
@@ -42,8 +34,8 @@ static void make_rule(rule *r)
         r->legendre[0][i] = 1;
         r->legendre[1][i] = v;
         for (int k = 1; k < RW_TERMS + 1; k++)
-            r->legendre[k + 1][i] =
-                RISE[k] * v * r->legendre[k][i] - FALL[k - 1] * r->legendre[k - 1][i];
+            r->legendre[k + 1][i] = RW_LEGENDRE_RISE[k] * v * r->legendre[k][i] -
+                                    RW_LEGENDRE_FALL[k - 1] * r->legendre[k - 1][i];
     }
 }
 
@@ -261,9 +253,11 @@ RW_INLINE void clenshaw(const rw_element *e, const double x[], double value[])
     }
     for (int k = (e->terms - 1) | 1; k > 0; k -= 2) {
         for (int i = 0; i < BLOCK; i++)
-            b2[i] = e->coefficient[k] + RISE[k] * v[i] * b1[i] - FALL[k] * b2[i];
+            b2[i] = e->coefficient[k] + RW_LEGENDRE_RISE[k] * v[i] * b1[i] -
+                    RW_LEGENDRE_FALL[k] * b2[i];
         for (int i = 0; i < BLOCK; i++)
-            b1[i] = e->coefficient[k - 1] + RISE[k - 1] * v[i] * b2[i] - FALL[k - 1] * b1[i];
+            b1[i] = e->coefficient[k - 1] + RW_LEGENDRE_RISE[k - 1] * v[i] * b2[i] -
+                    RW_LEGENDRE_FALL[k - 1] * b1[i];
     }
     for (int i = 0; i < BLOCK; i++)
         value[i] = b1[i];
@@ -272,8 +266,7 @@ RW_INLINE void clenshaw(const rw_element *e, const double x[], double value[])
 RW_DISPATCH(read_block, clenshaw, (const rw_element *e, const double x[], double value[]),
             (e, x, value))
 
-/* The element at x; NULL where there is none. */
-static const rw_element *element_at(const rw_traction *t, double x)
+size_t rw_traction_index(const rw_traction *t, double x)
 {
     size_t low = 0, high = t->count;
     while (low + 1 < high) {
@@ -283,9 +276,15 @@ static const rw_element *element_at(const rw_traction *t, double x)
         else
             high = middle;
     }
+    return low;
+}
+
+/* The element at x; NULL where there is none. */
+static const rw_element *element_at(const rw_traction *t, double x)
+{
     if (t->count == 0)
         return NULL;
-    const rw_element *e = t->elements + low;
+    const rw_element *e = t->elements + rw_traction_index(t, x);
     return x >= e->low && x <= e->high ? e : NULL;
 }
 

@@ -59,6 +59,9 @@ void rw_traction_simplify(rw_traction *traction, double tolerance);
  * them. */
 void rw_traction_raise(rw_traction *traction, double from, double to, double mean);
 
+/* The last element that begins at x or before; the first one where there is none. */
+size_t rw_traction_index(const rw_traction *traction, double x);
+
 /* The traction at places, 0 outside of its elements; neighbours in a row of the same element are
  * read together. */
 void rw_traction_values(const rw_traction *traction, size_t n, const double x[], double value[]);

@@ -3,13 +3,14 @@
 
 #include "base/complex.h"
 #include "base/domain.h"
+#include "traction/legendre.h"
 
 #include <float.h>
 
 /* Let v be on the ellipse about -1 and 1 whose half-axes have the sum rho. There the forward
  * recurrence of Legendre's functions loses digits like rho^(2k), and Gauss's rule errs by
  * rho^(-2n). At rho = NEAR both errors are 1e-9 of the traction. */
-static const double NEAR = 2;
+#define NEAR 2.0
 
 /* A point nearer to the end of an element than this part of its length is moved away: there the
  * infinite logarithms of two neighbouring elements cancel, but not in numbers. The slope may be
@@ -26,11 +27,14 @@ typedef struct {
     rw_complex value, slope; /* J and J' */
 } pole;
 
+/* The sum of the distances of such points from -1 and 1. */
+static const double NEAR_ELLIPSE = NEAR + 1 / NEAR;
+
 static bool is_near(rw_complex v)
 {
     const double to_one = (v.re - 1) * (v.re - 1) + v.im * v.im;
     const double to_other = (v.re + 1) * (v.re + 1) + v.im * v.im;
-    return sqrt(to_one) + sqrt(to_other) < NEAR + 1 / NEAR;
+    return sqrt(to_one) + sqrt(to_other) < NEAR_ELLIPSE;
 }
 
 /* Q_0 = ln((v+1)/(v-1))/2; its real part is the principal value where v is real. */
@@ -55,8 +59,8 @@ static pole legendre_sum(int n, const double c[], rw_complex v)
         const rw_complex vq = rw_product(v, q);
         sum = rw_sum(sum, rw_multiple(c[k], q));
         rate = rw_sum(rate, rw_multiple(k * c[k], rw_sum(vq, rw_multiple(-1, before))));
-        const rw_complex next =
-            rw_multiple(1.0 / (k + 1), rw_sum(rw_multiple(2 * k + 1, vq), rw_multiple(-k, before)));
+        const rw_complex next = rw_sum(rw_multiple(RW_LEGENDRE_RISE[k], vq),
+                                       rw_multiple(-RW_LEGENDRE_FALL[k - 1], before));
         before = q;
         q = next;
     }
@@ -104,31 +108,71 @@ static bool is_far(const rw_element *e, double x, double y)
     return fabs(x - middle) > 0.8 * length || y > 0.8 * length;
 }
 
-/* J(zeta) + J(-zeta), and its derivative by z. */
-static pole both_poles(const rw_element *e, int n, const double c[], const double load[],
-                       double scale, double x, double y)
+/* The side of its end on which an element lies. */
+static double side_of(const rw_element *e)
 {
-    const rw_complex zeta = zeta_of(e, x, y);
-    const pole at_zeta = pole_of(e, n, c, load, scale, zeta);
-    const pole at_minus = pole_of(e, n, c, load, scale, rw_multiple(-1, zeta));
-    return (pole){rw_sum(at_zeta.value, at_minus.value),
-                  rw_quotient(rw_sum(at_zeta.slope, rw_multiple(-1, at_minus.slope)),
-                              rw_multiple(2 * e->scale, zeta))};
+    return e->scale < 0 ? -1 : 1;
 }
 
+/* J(zeta) + J(-zeta), and its derivative by z. */
 static pole transform(const rw_element *e, double x, double y)
 {
-    pole sum = both_poles(e, e->terms, e->coefficient, e->load, fabs(e->scale), x, y);
-    const double sign = e->scale < 0 ? -1 : 1;
-    return (pole){rw_multiple(sign, sum.value), rw_multiple(sign, sum.slope)};
+    const double *c = e->coefficient, size = fabs(e->scale), side = side_of(e);
+    const rw_complex zeta = zeta_of(e, x, y);
+    const pole at_zeta = pole_of(e, e->terms, c, e->load, size, zeta);
+    const pole at_minus = pole_of(e, e->terms, c, e->load, size, rw_multiple(-1, zeta));
+    return (pole){rw_multiple(side, rw_sum(at_zeta.value, at_minus.value)),
+                  rw_quotient(rw_sum(at_zeta.slope, rw_multiple(-1, at_minus.slope)),
+                              rw_multiple(2 * size, zeta))};
+}
+
+/* ---- The same on the surface, where zeta is real or imaginary ---- */
+
+static double legendre_sum_at(int n, const double c[], double v)
+{
+    double before = first_function((rw_complex){v, 0}).re, q = v * before - 1;
+    double sum = c[0] * before;
+    for (int k = 1; k < n; k++) {
+        const double next = RW_LEGENDRE_RISE[k] * v * q - RW_LEGENDRE_FALL[k - 1] * before;
+        sum += c[k] * q;
+        before = q;
+        q = next;
+    }
+    return sum;
+}
+
+static double gauss_sum_at(const rw_element *e, const double load[], double scale, double zeta)
+{
+    double sum = 0;
+    for (int i = 0; i < RW_TERMS; i++)
+        sum += load[i] / (e->u[i] * (e->u[i] - zeta));
+    return sum / (2 * scale);
+}
+
+static double pole_at(const rw_element *e, int n, const double c[], const double load[],
+                      double scale, double zeta)
+{
+    const double v = (zeta - e->first) * (2 / (e->last - e->first)) - 1;
+    return 2 * fabs(v) < NEAR_ELLIPSE ? -2 * legendre_sum_at(n, c, v)
+                                      : gauss_sum_at(e, load, scale, zeta);
+}
+
+static double poles_at(const rw_element *e, int n, const double c[], const double load[],
+                       double scale, double x)
+{
+    const double square = (x - e->end) / e->scale, zeta = sqrt(fabs(square));
+    if (square < 0)
+        return 2 * pole_of(e, n, c, load, scale, (rw_complex){0, zeta}).value.re;
+    return pole_at(e, n, c, load, scale, zeta) + pole_at(e, n, c, load, scale, -zeta);
 }
 
 /* ---- All of them ---- */
 
-/* The place x, moved off the ends of elements. */
+/* The place x, moved off the ends of the element there and of those beside it. */
 static double beside(const rw_traction *t, double x, double part)
 {
-    for (size_t i = 0; i < t->count; i++) {
+    const size_t own = rw_traction_index(t, x);
+    for (size_t i = own > 0 ? own - 1 : 0; i < t->count && i <= own + 1; i++) {
         const rw_element *e = &t->elements[i];
         const double length = e->high - e->low;
         const double least = fmin(length / 2, fmax(part * length, LEAST_MOVE * fabs(x)));
@@ -154,7 +198,9 @@ double rw_traction_slope(const rw_traction *t, double x)
     double sum = 0;
     for (size_t i = 0; i < t->count; i++) {
         const rw_element *e = &t->elements[i];
-        sum += is_far(e, at, 0) ? far_sum(e->x, e->load, at) : transform(e, at, 0).value.re;
+        sum += is_far(e, at, 0) ? far_sum(e->x, e->load, at)
+                                : side_of(e) * poles_at(e, e->terms, e->coefficient, e->load,
+                                                        fabs(e->scale), at);
     }
     return sum / RW_PI;
 }
@@ -166,10 +212,9 @@ static double element_potential(const rw_element *e, double x)
     for (int k = 0; k < RW_TERMS + 2; k++)
         whole += e->primitive[k];
     const double end = e->scale > 0 ? e->high : e->low;
-    const double rest =
-        is_far(e, x, 0)
-            ? far_sum(e->x, e->carried, x)
-            : both_poles(e, e->terms + 2, e->primitive, e->carried, e->scale, x, 0).value.re;
+    const double rest = is_far(e, x, 0)
+                            ? far_sum(e->x, e->carried, x)
+                            : poles_at(e, e->terms + 2, e->primitive, e->carried, e->scale, x);
     return rest - whole * rw_log_of_quotient(fabs(end - x) + DBL_MIN, 1);
 }
 

@@ -40,6 +40,7 @@ pytest_of()
 cd "$folder"
 export PATH="$folder/venv/bin:$PATH" PYTHONPYCACHEPREFIX="$folder/pycache"
 pytest_of "$source/tests" "$@"
+python -B "$source/../../packages/docs/pages.py" --answers
 
 [ $long = yes ] || exit 0
 command -v ccx >/dev/null 2>&1 || echo "SKIPPED: ccx is not installed: examples/calculix.py and crack_elements.py did not run"

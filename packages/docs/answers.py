@@ -16,7 +16,7 @@ def objects(f: Function) -> dict[str, object]:
     """What stands for the names in a call."""
     contact = rwedge.Contact(0.01, 2, 1.82e-5, 0.3, tolerance=0)
     if f.name not in examples.UNLOADED:
-        contact.load([2000, 2000], [0, 300])
+        contact.load([2000, 2000], [0, 600 if f.name in examples.SLIDING else 300])
     if f.name in examples.HELD:
         contact.set_rotation(1)
     return {"rwedge": rwedge, "contact": contact, "cycle": rwedge.Cycle(contact, {"P": 2000, "Q": [-300, 300]}), "series": rwedge.Series(0.25, 4), "state": contact.state()}
@@ -33,5 +33,6 @@ def answers(f: Function) -> dict[str, object]:
         warnings.simplefilter("ignore")  # of examples that show what is doubtful
         result = eval(call.rpartition(" = ")[2], objects(f))
     names = f.results
-    results = (result.real, result.imag) if np.iscomplexobj(result) else result if len(names) > 1 else [result]
+    is_complex = not isinstance(result, tuple) and np.iscomplexobj(result)
+    results = (result.real, result.imag) if is_complex else result if len(names) > 1 else [result]
     return {name: value if isinstance(value, str) else np.ravel(value).tolist() for name, value in zip(names, results)}

@@ -23,20 +23,26 @@ LISTS = {
     "x": [-0.9, 0, 0.9], "y": [0.2, 0.2, 0.2], "alpha": [0.1, 0.25, 1], "f": [0, 0.1, 0.3], "p": [-0.6, -1, -0.6],
     "sxx": [120, -80, 45], "syy": [-64, 31, 15], "txy": [55, -14, 26],
     "slope": [-0.01, 0, 0.02], "value": [0.1, 0.05, 0.02], "state": "state",
-    "P": [2000, 2000], "M": [0, 0], "Q": [-300, 300], "sigma": [0, 0],
+    "P": [2000, 2000], "M": [0, 0], "Q": [-300, 300], "sigma": [0, 0], "tilt": [0, 0], "displacement": [1e-3, -1e-3],
 }
+ROUND = [-4, -3, -2, -1, 0, 1, 2, 3, 4], [0.0803, 0.0449, 0.0201, 0.0049, 0.0001, 0.0051, 0.0198, 0.0452, 0.0799]
 SWT = [200e3]
 SWT_LIFE = [*SWT, 475.4, -0.078, 0.612, -0.62, 0]
 OWN = {**{(name, "constants"): SWT for name in ("criterion", "criterion_field", "cycle_worst")},
        **{(name, "constants"): SWT_LIFE for name in ("life", "damage", "damage_field")},
+       ("profile_fit", "x"): ROUND[0], ("profile_fit", "height"): ROUND[1],
+       **{(name, argument): number for name in ("cycle_growth", "cycle_closing_growth")
+          for argument, number in {"x": -2.25, "law": [5, 400, 1e-13, 3, 1500], "initial": 0.05, "final": 5}.items()},
+       ("contact_set_thickness", "t"): 40, ("cycle_create_driven", "compliance"): 1e-6,
        ("contact_create", "f"): 0.3, ("series_fit", "terms"): 2, ("validity", "beta"): 0, ("series_coefficient", "k"): 2,
        ("contact_set_bodies", "E2"): 200e3, ("contact_set_bodies", "nu2"): 0.3,
        ("yield_load", "f"): 0.3, ("contact_create_flat", "f"): 0.3,
        ("contact_create_profile", "f"): 0.3, ("cycle_worst", "y"): 0, ("contact_apply", "M"): 0,
        ("contact_apply", "Q"): 500, ("contact_guide", "tilt"): 0, ("contact_guide", "Q"): 500,
        ("contact_drive", "M"): 0, ("contact_drive", "sigma"): 0, ("contact_drive", "displacement"): 1e-3, ("contact_drive", "compliance"): 1e-6}
-UNLOADED = {"contact_set_strain", "contact_set_beta", "contact_set_bodies"}  # refused once the bodies touch
-HELD = {"contact_guide"}  # of a contact that is held
+UNLOADED = {"contact_set_strain", "contact_set_beta", "contact_set_bodies", "contact_set_thickness"}  # refused once the bodies touch
+HELD = {"contact_guide", "cycle_create_guided"}  # of a contact that is held
+SLIDING = {"contact_shakedown_factor"}  # of one in full sliding
 # The tool's command with the same numbers.
 COMMANDS = {
     "load": "table contact-law --a-over-b 0.25",

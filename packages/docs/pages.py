@@ -4,6 +4,7 @@
 
     pages.py TOOL FOLDER    all pages, with what the Python package and the tool answer
     pages.py --check        every function has a page; figures and commands are of functions that there are
+    pages.py --answers      the Python package answers each call that the pages show
 """
 import sys
 from pathlib import Path
@@ -18,8 +19,8 @@ from header import read  # noqa: E402
 from readmes import Site  # noqa: E402
 
 
-def check(interface) -> int:
-    pages = Pages(interface, None)
+def check(interface, answers) -> int:
+    pages = Pages(interface, answers)
     for f in interface.functions:
         pages.page(f)
     named = {name for _, _, names in figures.FIGURES.values() for name in names.split()} | set(examples.COMMANDS)
@@ -33,9 +34,11 @@ def check(interface) -> int:
 def main() -> int:
     interface = read(TOP / "include/rwedge.h")
     if sys.argv[1:] == ["--check"]:
-        return check(interface)
+        return check(interface, None)
     from answers import answers  # which needs the Python package
 
+    if sys.argv[1:] == ["--answers"]:
+        return check(interface, answers)
     tool, folder = sys.argv[1], Path(sys.argv[2])
     site = Site(TOP, folder)
     site.write()

@@ -75,14 +75,6 @@ static void write_names(const series_table *table, records *rows)
 
 /* ---- Cells ---- */
 
-static cell cell_of(const job *j, const csv_row *row, size_t column)
-{
-    const char *text = column < row->count ? row->cell[column] : "";
-    double number;
-    return number_survives(text, j->how->decimal_sign, &number) ? (cell){text, number}
-                                                                : cell_text(text);
-}
-
 static cell life_cell(double life)
 {
     return isinf(life) ? cell_text("inf") : cell_number(life);
@@ -153,16 +145,19 @@ static void write_rows(void *of_job, records *rows)
 {
     const job *j = of_job;
     const series_table *table = j->table;
+    const header *names = &table->all.names;
     write_names(table, rows);
     for (size_t i = 0; i < table->count && records_go_on(rows); i++) {
         const test_row *row = &table->row[i];
-        for (size_t k = 0; k < table->all.names.count; k++)
-            records_value(rows, cell_of(j, &row->row, k));
+        for (size_t k = 0; k < names->count; k++)
+            records_value(rows,
+                          header_cell_written(names, k, k < row->row.count ? row->row.cell[k] : "",
+                                              j->how->decimal_sign));
         if (table->run[i].is_run)
             write_results(j, &table->run[i], rows);
         else
             write_none(j, rows);
-        char *error = csv_row_fault(&row->row, table->all.names.count, row->why.text);
+        char *error = csv_row_fault(&row->row, names->count, row->why.text);
         records_value(rows, cell_text(error));
         free(error);
         records_end_row(rows);

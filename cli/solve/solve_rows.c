@@ -65,29 +65,20 @@ static void compute_answer(void *of_run, int64_t i)
 
 /* ---- A row is written ---- */
 
-/* A cell as it is in the file. A column that is no input may have names that look like numbers. */
-static cell cell_of(const run *r, const csv_row *row, size_t column)
-{
-    const char *text = column < row->count ? row->cell[column] : "";
-    const bool is_input = header_is_input(&r->table.names, column);
-    double number;
-    return (is_input ? number_read_cell : number_survives)(text, r->how->decimal_sign, &number)
-               ? (cell){text, number}
-               : cell_text(text);
-}
-
 static void write_row(run *r, const csv_row *row, const answer *solution)
 {
-    for (size_t i = 0; i < r->table.names.count; i++)
-        records_value(r->rows, cell_of(r, row, i));
+    const header *names = &r->table.names;
+    for (size_t i = 0; i < names->count; i++)
+        records_value(r->rows, header_cell_written(names, i, i < row->count ? row->cell[i] : "",
+                                                   r->how->decimal_sign));
     for (int i = 0; i < RESULT_COUNT; i++)
         if (r->table.shown[i])
             records_value(r->rows, solution->solved ? solution->results.value[i] : cell_text(""));
-    char *error = csv_row_fault(row, r->table.names.count, solution->why.text);
+    char *error = csv_row_fault(row, names->count, solution->why.text);
     records_value(r->rows, cell_text(error));
     free(error);
     records_end_row(r->rows);
-    if (row->count == r->table.names.count)
+    if (row->count == names->count)
         header_note_unused(&r->table.names, row->cell);
     r->count++;
     r->failed += solution->solved ? 0 : 1;

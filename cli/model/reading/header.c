@@ -18,6 +18,15 @@ bool header_is_input(const header *names, size_t column)
     return false;
 }
 
+cell header_cell_written(const header *names, size_t column, const char *text, char decimal_sign)
+{
+    const bool is_read = header_is_input(names, column) || names->needed[column] != NEED_NOTHING;
+    double number;
+    return (is_read ? number_read_cell : number_survives)(text, decimal_sign, &number)
+               ? (cell){text, number}
+               : cell_text(text);
+}
+
 bool header_has(const header *names, const char *name)
 {
     for (size_t i = 0; i < names->count; i++)

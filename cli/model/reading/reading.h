@@ -68,6 +68,11 @@ bool header_has_input(const header *names, int input);
 bool header_is_input(const header *names, size_t column);
 bool header_has(const header *names, const char *name);
 
+/* The cell of a column as it is in the file: a number if the column is read as numbers, or if it
+ * would be written as it stands. Columns that are not read may have names that look like
+ * numbers. */
+cell header_cell_written(const header *names, size_t column, const char *text, char decimal_sign);
+
 /* The column of a name, or of the name that stands for it; the count where it is not there. False,
  * with the complaint, where it is there twice, or a name that was given for it is not there. */
 bool header_column(const header *names, const char *name, size_t *column, complaint *why);

@@ -135,6 +135,10 @@ same "an error each" "|life_tested run-out: must be a number above 0, or a run-o
 printf 'radius,E1,nu1,f,P,Q_max\n50,72000,.33,.6,300,100\n' >other.csv
 run fretting --input other.csv --material sae-1015-normalized
 same "another E than the material's" "E1 72000: the material has 206800; allowed: one of the two" "$(column error out)"
+# In JSON what was read as a number is one.
+printf 'test,radius,P,Q_max\n007,50.0,300.0,100.0\n' >spelled.csv
+does fretting --input spelled.csv $bodies --f 0.6 --format json
+same "cells" '{"test": "007", "radius": 50, "P": 300, "Q_max": 100,' "$(sed -n 's/^\({"test".*"Q_max": [^,]*,\).*/\1/p' out)"
 printf 'test,R,P,Q,mu\n1,50,300,100,0.6\n' >lab.csv
 stops 1 "lab.csv: column 'R': allowed: radius, or another name if it is something else; --column radius='R' takes it" fretting --input lab.csv $bodies
 stops 1 "lab.csv: column Q: a test has Q_max, and the smallest where that is not its negative; --column Q_max=Q takes it" fretting --input lab.csv $bodies --column radius=R --column f=mu

@@ -279,13 +279,21 @@ size_t rw_traction_index(const rw_traction *t, double x)
     return low;
 }
 
+/* Whether rounding alone parts an element from the next one. */
+static bool is_joined(const rw_element *e)
+{
+    return e[1].low - e->high <= ROUNDED * fmax(fabs(e->high), e->high - e->low);
+}
+
 /* The element at x; NULL where there is none. */
 static const rw_element *element_at(const rw_traction *t, double x)
 {
     if (t->count == 0)
         return NULL;
-    const rw_element *e = t->elements + rw_traction_index(t, x);
-    return x >= e->low && x <= e->high ? e : NULL;
+    const size_t i = rw_traction_index(t, x);
+    const rw_element *e = t->elements + i;
+    const bool is_before_next = i + 1 < t->count && is_joined(e);
+    return x >= e->low && (x <= e->high || is_before_next) ? e : NULL;
 }
 
 void rw_traction_values(const rw_traction *t, size_t n, const double x[], double value[])

@@ -182,6 +182,26 @@ CLAIM(elements_are_not_narrower_than_rounding)
 }
 
 /* A place may be the end of an element to rounding. */
+static double one(double x)
+{
+    return 1 + 0 * x;
+}
+
+/* Two elements meet in the middle, each of which has its own rounding of that place. */
+CLAIM(no_place_is_lost_between_elements)
+{
+    for (int i = 0; i < 1000; i++) {
+        const double at[] = {-1 - 0.0071 * i, 1.3 + 0.0037 * i}, middle = at[0] / 2 + at[1] / 2;
+        rw_traction t = fit(one, 2, at, 1e-12);
+        double x = middle - 4 * DBL_EPSILON;
+        while (x < middle + 4 * DBL_EPSILON) {
+            assert_within(rw_traction_at(&t, x), 1, 1e-12);
+            x = nextafter(x, 2);
+        }
+        rw_traction_destroy(&t);
+    }
+}
+
 CLAIM(the_root_of_zero_is_zero)
 {
     const rw_complex root = rw_complex_root((rw_complex){0, 0});

@@ -934,9 +934,9 @@ RWEDGE_API int32_t rwedge_contact_restore(size_t n, const double state[], rwedge
  *                                                                             Eq. (17) to (21); new
  *   x     length, |x| <= b: points outside have no partner
  *   slip  receives n numbers
- * RWEDGE_EPATH off the centre once it has slid fully; and, unless rwedge_contact_allow_error()
- * allows errors, where rings of contact slipped at once when they came into contact, or slipped
- * after they had been added to others that slipped before.
+ * RWEDGE_EPATH off the centre once it has slid fully, unless rwedge_contact_drive() did it; and,
+ * unless rwedge_contact_allow_error() allows errors, where rings of contact slipped at once when
+ * they came into contact, or slipped after they had been added to others that slipped before.
  * RWEDGE_EDOMAIN; RWEDGE_ENULL. Nothing is written unless every point is in the domain.
  * Error below 1e-12 f theta b, for loads that differ by 1 % or more. */
 RWEDGE_API int32_t rwedge_contact_slip(const rwedge_contact *contact, size_t n, const double x[],
@@ -955,13 +955,14 @@ RWEDGE_API int32_t rwedge_contact_largest_slip(const rwedge_contact *contact, do
  * loop of Q over the rigid displacement.                                                        new
  * NaN for NULL. A load off the centre that slips while P or M change has no single integral: the
  * energy is computed if rwedge_contact_allow_error() allows errors. Otherwise, and after a load off
- * the centre that slides fully, it is NaN until the bodies have separated. From the next load on it
- * counts again, without what was dissipated in between. Relative error of each load's share below
- * 1e-12, plus epsilon times P over the change of Q/f where slip reaches an older layer. Off the
- * centre it is below 1e-12 plus 1e-14 times P over the change of Q/f. Both grow with 1/(1 -
- * |tilt|/theta), and with |x| at the edges over the width where that is above 1. A load without a
- * closed form under which P or M change has no such accuracy: the shares of 99 of 100 random loads
- * were right to 3 % or to 1e-6 of (f P)^2 A, and those of all to 5 %. */
+ * the centre that slides fully without rwedge_contact_drive(), it is NaN until the bodies have
+ * separated. From the next load on it counts again, without what was dissipated in between.
+ * Relative error of each load's share below 1e-12, plus epsilon times P over the change of Q/f
+ * where slip reaches an older layer. Off the centre it is below 1e-12 plus 1e-14 times P over
+ * the change of Q/f. Both grow with 1/(1 - |tilt|/theta), and with |x| at the edges over the
+ * width where that is above 1. A load without a closed form under which P or M change has no
+ * such accuracy: the shares of 99 of 100 random loads were right to 3 % or to 1e-6 of (f P)^2 A,
+ * and those of all to 5 %. */
 RWEDGE_API double rwedge_contact_dissipated_energy(const rwedge_contact *contact);
 
 /* How far the present state is from first yield (von Mises, plane strain): k over the maximum of
@@ -1296,17 +1297,20 @@ RWEDGE_API double rwedge_contact_displacement(const rwedge_contact *contact, dou
  * rwedge_contact_displacement(), b being the half-width under the first such load, plus what the
  * rig gives way, its compliance times Q. In full sliding the rest is sliding: it counts in the
  * displacements to come, and its energy, f P times the way, as dissipated. A contact that touches
- * anew begins where the rig was when the bodies were apart.                                     new
+ * anew begins where the rig was when the bodies were apart. Under a moment, or a tension that
+ * changes, slip and energy are known in full sliding too, from the first such load on.          new
  *   P             0, or at least 1e-8 of the last P: as for rwedge_contact_load()
  *   M             finite; 0 where P is 0: as for rwedge_contact_apply()
  *   sigma         finite, as there
  *   displacement  length, finite
  *   compliance    length over a force per unit length, 0, or 1e-60 to 1e60
  *   Q             receives the force
- * It is found by some ten trials on copies. RWEDGE_EPATH also where the displacement is not known,
- * as off the centre once the contact has slid; other errors as those of rwedge_contact_apply():
- * RWEDGE_EDOMAIN; RWEDGE_ERANGE; RWEDGE_ESLIDING; RWEDGE_ENULL; RWEDGE_ENOMEM. In the tests Q was
- * right to 1e-10 of f P. */
+ * It is found by some ten trials on copies. RWEDGE_EPATH also where the displacement is not known:
+ * of unlike bodies that slide fully, or off the centre where they slid before the first such load,
+ * or without a closed form where no error is allowed; other errors as those of
+ * rwedge_contact_apply(): RWEDGE_EDOMAIN; RWEDGE_ERANGE; RWEDGE_ESLIDING; RWEDGE_ENULL;
+ * RWEDGE_ENOMEM. In the tests Q was right to 1e-10 of f P; off the centre to 1e-4 of f P, beside
+ * boundary elements, and the energy of a cycle to 7e-4. */
 RWEDGE_API int32_t rwedge_contact_drive(rwedge_contact *contact, double P, double M, double sigma,
                                         double displacement, double compliance, double *Q);
 

@@ -134,11 +134,21 @@ static load_fault domain_fault(load to, const rwedge_contact *contact)
                     most);
 }
 
+/* Of a displacement. */
+static load_fault drive_fault(load to, const rwedge_contact *contact)
+{
+    if (rwedge_contact_beta(contact) != 0)
+        return fault_at(INPUT_COUNT, "the displacement is not known: unlike bodies slide fully");
+    const bool is_refused = try_load(to, contact, usual_tolerance) == RWEDGE_OK;
+    return fault_at(INPUT_COUNT, "the displacement is not known: %s",
+                    is_refused ? "no closed form; without --exact it is computed"
+                               : "the bodies slid before there was a displacement");
+}
+
 static load_fault path_fault(load to, const rwedge_contact *contact)
 {
     if (to.is_driven)
-        return fault_at(INPUT_COUNT, "the displacement is not known: under a moment or a tension "
-                                     "the bodies slide fully, or the load has no closed form");
+        return drive_fault(to, contact);
     const load last = loads_of(contact);
     load_fault fault = to.is_guided
                            ? fault_at(INPUT_SIGMA, "no closed form")

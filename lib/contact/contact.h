@@ -71,6 +71,13 @@ static inline void rw_patch_fields(const rw_geometry *geometry, rw_patch patch, 
 void rw_add_traction(const rw_traction *traction, double f, int n, const double x[],
                      const double y[], rw_fields *sum);
 
+/* The slip of a place when the contact last slid off its centre under a rig; 0 if it never did. */
+double rw_slip_of_slide(const rwedge_contact *contact, double x);
+
+/* How much further than a bonded contact over |x| < b the tractions and the tension move the
+ * half-plane's surface at a place in contact, against remote points and the wedge. */
+double rw_contact_moved(const rwedge_contact *contact, double b, double x);
+
 /* Whether the point is in the domain, in units of the half-width too, and has a finite stress: the
  * apex of a loaded sharp wedge has none. */
 bool rw_contact_has_stress(const rwedge_contact *contact, double x, double y);

@@ -28,10 +28,18 @@ typedef enum {
     RW_COMPUTED    /* the shear has no closed form */
 } rw_phase;
 
+/* The slip of the places of a contact that slides off its centre: shift + slope x - height h(x), h
+ * being the height of the profile, rw_profile_height(). */
+typedef struct {
+    double shift, slope, height;
+} rw_slide;
+
 /* The half-width that a prescribed displacement counts from, 0 where none was prescribed yet; how
- * far the bodies have slid beyond what their loads tell. */
+ * far the bodies have slid beyond what their loads tell; the slip when they last slid off the
+ * centre, from which later slip counts, all 0 before. */
 typedef struct {
     double b, slid;
+    rw_slide slide;
 } rw_drive;
 
 /* What counts while it slides. */

@@ -82,14 +82,25 @@ static double slip_at(const rwedge_contact *contact, double x)
     return in_units(contact, w);
 }
 
+double rw_slip_of_slide(const rwedge_contact *contact, double x)
+{
+    const rw_slide *slide = &contact->drive.slide;
+    const double height =
+        slide->height != 0 ? slide->height * rw_profile_height(&contact->geometry, x) : 0;
+    return slide->shift + slide->slope * x - height;
+}
+
 /* Off the centre: from the one origin that serves all points. */
 static double slip_off_centre(const rwedge_contact *contact, double x)
 {
     const rw_slip_origins *origins = &contact->slip.origins;
-    if (origins->count == 0 || x < contact->slip.settled.left || x > contact->slip.settled.right)
+    if (x < contact->slip.settled.left || x > contact->slip.settled.right)
         return 0;
+    const double slid = rw_slip_of_slide(contact, x);
+    if (origins->count == 0)
+        return slid;
     const rw_path base = rw_slip_origin_path(origins, &origins->all[0]);
-    return in_units(contact, displacement_since(contact, &base, base.count, 0, x));
+    return slid + in_units(contact, displacement_since(contact, &base, base.count, 0, x));
 }
 
 static double slip_of(const rwedge_contact *contact, double x)

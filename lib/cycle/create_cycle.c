@@ -21,19 +21,28 @@ static bool keep_loads(rwedge_cycle *cycle, const rw_load_history *loads)
     return true;
 }
 
-/* The cycle takes the distances. */
+/* What a rig does in a cycle: the half-width that its displacements count from, 0 for no rig, and
+ * how far the bodies slide beside each load. The cycle takes the distances. */
+typedef struct {
+    double b, *slid;
+} rig_way;
+
+static const rig_way NO_RIG = {0, NULL};
+
 static int32_t create(const rwedge_contact *contact, const rw_load_history *loads, bool is_guided,
-                      double *slid, rwedge_cycle **cycle)
+                      rig_way rig, rwedge_cycle **cycle)
 {
     rwedge_cycle *created = calloc(1, sizeof *created);
     if (!created) {
-        free(slid);
+        free(rig.slid);
         return RWEDGE_ENOMEM;
     }
     created->is_guided = is_guided;
-    created->slid = slid;
+    created->slid = rig.slid;
     int32_t status =
         keep_loads(created, loads) ? rwedge_contact_copy(contact, &created->before) : RWEDGE_ENOMEM;
+    if (status == RWEDGE_OK && rig.b > 0)
+        created->before->drive.b = rig.b;
     if (status == RWEDGE_OK)
         status = rw_go_through(created);
     if (status == RWEDGE_OK)
@@ -52,7 +61,7 @@ int32_t rwedge_cycle_create(const rwedge_contact *contact, size_t loads, const d
         return RWEDGE_ENULL;
     if (loads == 0 || loads > SIZE_MAX / 4 / sizeof *P)
         return RWEDGE_ERANGE;
-    return create(contact, &history, false, NULL, cycle);
+    return create(contact, &history, false, NO_RIG, cycle);
 }
 
 int32_t rwedge_cycle_create_driven(const rwedge_contact *contact, size_t loads, const double P[],
@@ -65,13 +74,15 @@ int32_t rwedge_cycle_create_driven(const rwedge_contact *contact, size_t loads, 
     if (loads == 0 || loads > SIZE_MAX / 4 / sizeof *P)
         return RWEDGE_ERANGE;
     const rw_rig_history rig = {loads, P, M, sigma, displacement, compliance};
-    double *Q = malloc(loads * sizeof *Q), *slid = malloc(loads * sizeof *slid);
-    int32_t status = Q && slid ? rw_drive_through(contact, &rig, Q, slid) : RWEDGE_ENOMEM;
+    double *Q = malloc(loads * sizeof *Q);
+    rig_way way = {0, malloc(loads * sizeof *way.slid)};
+    int32_t status =
+        Q && way.slid ? rw_drive_through(contact, &rig, Q, way.slid, &way.b) : RWEDGE_ENOMEM;
     if (status == RWEDGE_OK) {
         const rw_load_history history = {loads, P, M, Q, sigma};
-        status = create(contact, &history, false, slid, cycle);
+        status = create(contact, &history, false, way, cycle);
     } else
-        free(slid);
+        free(way.slid);
     free(Q);
     return status;
 }
@@ -93,7 +104,7 @@ int32_t rwedge_cycle_create_guided(const rwedge_contact *contact, size_t loads, 
     for (size_t i = 0; i < loads; i++)
         turn[i] = rw_as_held(&contact->geometry, tilt[i]);
     const rw_load_history history = {loads, P, turn, Q, sigma};
-    const int32_t status = create(contact, &history, true, NULL, cycle);
+    const int32_t status = create(contact, &history, true, NO_RIG, cycle);
     free(turn);
     return status;
 }

@@ -17,7 +17,10 @@ typedef struct {
 static int32_t contact_under(const rig *r, double Q, rwedge_contact **contact)
 {
     int32_t status = rwedge_contact_copy(r->contact, contact);
-    return status == RWEDGE_OK ? rwedge_contact_apply(*contact, r->P, r->M, Q, r->sigma) : status;
+    if (status != RWEDGE_OK)
+        return status;
+    (*contact)->drive.b = r->b;
+    return rwedge_contact_apply(*contact, r->P, r->M, Q, r->sigma);
 }
 
 /* How far the rig is beyond what is prescribed. NaN where that is not known. */
@@ -46,34 +49,17 @@ static int32_t reason(const rig *r, double Q)
     return status == RWEDGE_OK ? RWEDGE_EPATH : status;
 }
 
-/* The largest Q of one sign whose displacement is known. Off the centre that is not so where the
- * contact slides, but up to this part of f P. */
-static const double INSIDE = 1 - 1e-6;
-
-typedef struct {
-    double Q, beyond;
-} end;
-
-static end end_of(const rig *r, int sign)
-{
-    const double limit = sign * r->contact->f * r->P;
-    const end all = {limit, beyond_with(limit, r)};
-    return isnan(all.beyond) ? (end){INSIDE * limit, beyond_with(INSIDE * limit, r)} : all;
-}
-
 /* Q, and how far the bodies slide besides; NaN where the root, or how far, is not known. */
 static double find(const rig *r, double *slid)
 {
     const double limit = r->contact->f * r->P;
-    const end least = end_of(r, -1), most = end_of(r, 1);
-    if (isnan(least.beyond) || isnan(most.beyond))
+    const double most = beyond_with(limit, r), least = beyond_with(-limit, r);
+    if (isnan(least) || isnan(most))
         return NAN;
-    *slid = most.beyond < 0 ? -most.beyond : least.beyond > 0 ? -least.beyond : 0;
-    if ((*slid > 0 && most.Q < limit) || (*slid < 0 && least.Q > -limit))
-        return NAN;
-    return most.beyond <= 0    ? limit
-           : least.beyond >= 0 ? -limit
-                               : rw_root(beyond_with, r, least.Q, most.Q, 1e-15 * limit);
+    *slid = most < 0 ? -most : least > 0 ? -least : 0;
+    return most <= 0    ? limit
+           : least >= 0 ? -limit
+                        : rw_root(beyond_with, r, -limit, limit, 1e-15 * limit);
 }
 
 /* Slides on. Where it slid the same way before, P grew or fell on the way. */
@@ -124,7 +110,6 @@ static int32_t drive(rig *r, double *Q, rwedge_contact **contact)
     status = contact_under(r, *Q, contact);
     if (status != RWEDGE_OK)
         return status;
-    (*contact)->drive.b = r->b;
     if (slid != 0)
         slide(*contact, r->contact, slid);
     return RWEDGE_OK;
@@ -139,7 +124,7 @@ int32_t rwedge_contact_drive(rwedge_contact *contact, double P, double M, double
         !rw_is_signed(displacement) || !rw_is_magnitude(compliance))
         return RWEDGE_EDOMAIN;
     bool lacked_memory = false;
-    rig r = {contact, P, M, sigma, 0, displacement, compliance, &lacked_memory};
+    rig r = {contact, P, M, sigma, contact->drive.b, displacement, compliance, &lacked_memory};
     rwedge_contact *next = NULL;
     double found;
     const int32_t status = drive(&r, &found, &next);
@@ -165,12 +150,13 @@ static int32_t drive_to(rwedge_contact *going, const rw_rig_history *loads, size
 }
 
 int32_t rw_drive_through(const rwedge_contact *contact, const rw_rig_history *loads, double Q[],
-                         double slid[])
+                         double slid[], double *b)
 {
     rwedge_contact *going = NULL;
     int32_t status = rwedge_contact_copy(contact, &going);
     for (size_t i = 0; i < loads->count && status == RWEDGE_OK; i++)
         status = drive_to(going, loads, i, &Q[i], &slid[i]);
+    *b = status == RWEDGE_OK ? going->drive.b : 0;
     rwedge_contact_destroy(going);
     return status;
 }

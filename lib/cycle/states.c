@@ -26,6 +26,18 @@ static rw_state *next_state(rwedge_cycle *cycle)
     return &states[cycle->count];
 }
 
+/* The slip of a place that has come into contact in a step, `left` of which was left then. Where
+ * the bodies begin to slide in it, that is neglected. */
+static double slip_of_new(const rwedge_contact *before, const rwedge_contact *after, double x,
+                          double left)
+{
+    if (!rw_slides_as_known(after))
+        return rw_slip_at(after, x);
+    return rw_slides_as_known(before)
+               ? left * (rw_slip_of_slide(after, x) - rw_slip_of_slide(before, x))
+               : 0;
+}
+
 /* What happens at the edges in the step. */
 static void note_edges(rw_state *next, const rwedge_contact *before, const rwedge_contact *after,
                        rw_patch old)
@@ -34,9 +46,10 @@ static void note_edges(rw_state *next, const rwedge_contact *before, const rwedg
         const rw_patch ring = rw_ring_of(old, next->patch, side);
         const bool grows = rw_patch_has(next->patch, ring.left) && ring.left != ring.right;
         const bool shrinks = rw_patch_has(old, ring.right) && ring.left != ring.right;
-        for (int k = 0; k < RW_RING && grows; k++)
-            next->ring[side][k] =
-                rw_slip_at(after, ring.left + (ring.right - ring.left) * rw_ring_node(k));
+        for (int k = 0; k < RW_RING && grows; k++) {
+            const double node = rw_ring_node(k), x = ring.left + (ring.right - ring.left) * node;
+            next->ring[side][k] = slip_of_new(before, after, x, 1 - node);
+        }
         if (shrinks && !grows)
             next->leave[side] = rw_slip_at(after, ring.right) - rw_slip_at(before, ring.right);
     }

@@ -73,9 +73,10 @@ typedef struct {
     double compliance;
 } rw_rig_history;
 
-/* Drives a copy of the contact: Q of each load, and how far the bodies slide besides. */
+/* Drives a copy of the contact: Q of each load, how far the bodies slide besides, and the
+ * half-width that the displacements count from. */
 int32_t rw_drive_through(const rwedge_contact *contact, const rw_rig_history *loads, double Q[],
-                         double slid[]);
+                         double slid[], double *b);
 
 /* How far they slide beside the load i. */
 static inline double rw_cycle_slid(const rwedge_cycle *cycle, size_t i)

@@ -8,7 +8,7 @@
 
 rw_patch rw_stuck_between(const rwedge_contact *before, const rwedge_contact *after)
 {
-    if (before->phase == RW_COMPUTED || after->phase == RW_COMPUTED)
+    if (before->phase == RW_COMPUTED || after->phase == RW_COMPUTED || rw_slides_as_known(after))
         return RW_NOWHERE;
     const rw_memory *path = &after->memory, *old = &before->memory;
     const rw_path old_path = rw_memory_path(old);

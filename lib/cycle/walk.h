@@ -14,6 +14,12 @@ rw_displacement rw_first_displacement(const rwedge_contact *contact);
 rw_displacement rw_next_displacement(rw_displacement last, const rwedge_contact *before,
                                      const rwedge_contact *after);
 
+/* Whether the contact slides off its centre under a rig: all places slip then. */
+static inline bool rw_slides_as_known(const rwedge_contact *contact)
+{
+    return contact->phase == RW_SLIDING && contact->sliding.is_off_centre && contact->slip.is_known;
+}
+
 /* The patch in which a straight step slips nowhere: where the paths before and after it part. That
  * is the last corner that both have in common, or a corner beyond at which one of them leaves the
  * segment that both begin with. RW_NOWHERE for a computed step, of which it is not known. */

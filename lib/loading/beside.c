@@ -6,6 +6,7 @@
 #include "loading/beside.h"
 
 #include "computed/beginning.h"
+#include "loading/slide.h"
 
 static bool knows_all(const rwedge_contact *contact)
 {
@@ -115,13 +116,14 @@ int32_t rw_contact_follow_slip(rwedge_contact *contact)
         rw_numerical_destroy(computed->start); /* its slip is not known */
     computed->start = NULL;
     rw_slip_origins_destroy(&slip->origins);
+    contact->drive.slide = (rw_slide){0, 0, 0};
     contact->memory.shared = 0;
     slip->is_known = true;
     slip->settled = rw_memory_end(&contact->memory)->patch;
     return RWEDGE_OK;
 }
 
-int32_t rw_contact_apply(rwedge_contact *contact, rw_goal to)
+static int32_t apply(rwedge_contact *contact, rw_goal to)
 {
     if (!contact->beside && !may_lose(contact, to))
         return rw_contact_apply_alone(contact, to);
@@ -136,6 +138,28 @@ int32_t rw_contact_apply(rwedge_contact *contact, rw_goal to)
         return status;
     }
     return contact->beside ? go_on(contact, ahead, to) : begin(contact, ahead, to);
+}
+
+/* The next load of a contact to which a rig prescribes displacements. */
+static int32_t apply_driven(rwedge_contact *contact, rw_goal to)
+{
+    rwedge_contact *next;
+    int32_t status = rwedge_contact_copy(contact, &next);
+    if (status != RWEDGE_OK)
+        return status;
+    status = apply(next, to);
+    next->drive.b = contact->drive.b; /* it may be one that was kept before the rig began */
+    if (status == RWEDGE_OK)
+        status = rw_contact_know_slide(contact, to, next);
+    if (status == RWEDGE_OK)
+        rw_contact_exchange(contact, next);
+    rwedge_contact_destroy(next);
+    return status;
+}
+
+int32_t rw_contact_apply(rwedge_contact *contact, rw_goal to)
+{
+    return contact->drive.b > 0 ? apply_driven(contact, to) : apply(contact, to);
 }
 
 int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q, double sigma)

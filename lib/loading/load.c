@@ -27,6 +27,7 @@ static bool slides(const rw_departure *departure)
 static void touch(rwedge_contact *contact, double sigma)
 {
     contact->touched_at = sigma;
+    contact->drive.slide = (rw_slide){0, 0, 0};
     contact->energy.is_known = true;
 }
 

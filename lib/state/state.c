@@ -377,7 +377,9 @@ static void pass_guidance(stream *t, rwedge_contact *c)
     pass_flag(t, &c->is_held);
     if (c->is_held)
         pass_finite(t, &c->held_tilt);
-    pass_all(t, (double *const[]){&c->drive.b, &c->drive.slid, NULL});
+    rw_slide *slide = &c->drive.slide;
+    pass_all(t, (double *const[]){&c->drive.b, &c->drive.slid, &slide->shift, &slide->slope,
+                                  &slide->height, NULL});
     require(t, rw_is_magnitude(c->drive.b));
 }
 

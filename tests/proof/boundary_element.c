@@ -76,6 +76,8 @@ static void solve_free(const boundary_element *s, unknowns *u)
         if (u->at[i] == FREE)
             free[m++] = i;
     }
+    if (m == 0) /* all slides */
+        return;
     gsl_matrix *matrix = gsl_matrix_alloc(m, m);
     gsl_vector *right = gsl_vector_alloc(m);
     gsl_permutation *order = gsl_permutation_alloc(m);
@@ -155,6 +157,8 @@ static bool drag(boundary_element *s, rw_loads to)
         s->q.lowest[i] = -s->q.highest[i];
         s->q.wanted[i] =
             s->displacement[i] - s->A * to.sigma / 4 * s->x[i] - s->A * s->B * carried(s, &s->p, i);
+        if (s->is_driven)
+            s->q.wanted[i] += s->driven_to;
         s->q.at[i] = s->p.value[i] < 0 ? FREE : HIGHEST;
     }
     s->q.wanted[s->n] = -to.Q / s->width;
@@ -204,6 +208,39 @@ int boundary_element_go(boundary_element *solver, int steps, rw_loads to)
     for (int i = 1; i <= steps && done; i++)
         done = take_step(solver, rw_loads_between(from, to, (double)i / steps));
     return !done;
+}
+
+/* ---- A rig ---- */
+
+/* The displacement is the rigid one, and less by a share of Q: the half-width's, and what the rig
+ * gives way. Under a given P it does not matter to the pressure. */
+void boundary_element_hold(boundary_element *s, double b, double compliance)
+{
+    for (size_t i = 0; i < s->n; i++)
+        s->influence[i] -= s->width * (s->A / PI * log(b / 2) + compliance);
+    s->is_driven = true;
+    s->q.count = s->n;
+}
+
+int boundary_element_drive(boundary_element *s, int steps, rw_loads to, double displacement)
+{
+    const rw_loads from = s->loads;
+    const double start = s->driven_to;
+    bool done = true;
+    for (int i = 1; i <= steps && done; i++) {
+        const double part = (double)i / steps;
+        s->driven_to = start + (displacement - start) * part;
+        done = take_step(s, rw_loads_between(from, to, part));
+    }
+    return !done;
+}
+
+double boundary_element_force(const boundary_element *s)
+{
+    double sum = 0;
+    for (size_t i = 0; i < s->n; i++)
+        sum -= s->width * s->q.value[i];
+    return sum;
 }
 
 /* ---- Wear ---- */

@@ -35,8 +35,10 @@ typedef struct {
     double influence[BOUNDARY_ELEMENTS_MAX]; /* on an element so many elements away */
     unknowns p, q;
     double q_before[BOUNDARY_ELEMENTS_MAX];
-    double displacement[BOUNDARY_ELEMENTS_MAX]; /* tangential, relative, less the rigid one */
-    double slip[BOUNDARY_ELEMENTS_MAX];         /* since the element came into contact */
+    bool is_driven;                                        /* by boundary_element_drive() */
+    double driven_to, displacement[BOUNDARY_ELEMENTS_MAX]; /* tangential, relative, less the rigid
+                                                              one */
+    double slip[BOUNDARY_ELEMENTS_MAX];                    /* since the element came into contact */
     double energy;
     double worn[BOUNDARY_ELEMENTS_MAX]; /* off the profile: boundary_element_wear() */
     rw_loads loads;
@@ -49,6 +51,16 @@ void boundary_element_start(boundary_element *solver, double theta, double a, do
 /* To these loads in so many equal, straight steps; |Q| < f P. 0, or 1 where the iteration for the
  * edges or the zones of slip did not end. */
 int boundary_element_go(boundary_element *solver, int steps, rw_loads to);
+
+/* From now on a rig prescribes displacements, as rwedge_contact_drive() counts them from the
+ * half-width b. Of similar bodies. */
+void boundary_element_hold(boundary_element *solver, double b, double compliance);
+
+/* To P, M, sigma of the loads and a displacement, as boundary_element_go() does. */
+int boundary_element_drive(boundary_element *solver, int steps, rw_loads to, double displacement);
+
+/* What the tractions along the surface carry. */
+double boundary_element_force(const boundary_element *solver);
 
 /* Wear by Archard's law to its end: the depth grows by `rate` times pressure times slip, cycle by
  * cycle, while Q goes to and fro by Q_a. P and the tilt stay, and each cycle is steady: what slips

@@ -307,6 +307,68 @@ CLAIM(unlike_bodies_are_the_limit_of_coupled_boundary_elements)
     }
 }
 
+/* ---- A rig ---- */
+
+enum { RIG_LEGS = 8, RIG_PARTS = 8 };
+
+/* P, M and sigma change, and the displacement goes to and fro as far as gross slip: by so much of
+ * A f P. */
+static rw_loads draw_rig_leg(int leg, rw_loads now, double half, uint64_t *seed)
+{
+    static const double way[RIG_LEGS] = {0.2, 1.5, 0.8, -1.5, -1.7, 0.3, 2, -1};
+    const double P = now.P * (0.95 + 0.1 * random_fraction(seed));
+    return (rw_loads){.P = P,
+                      .M = 0.1 * P * half * random_between(seed, -1, 1),
+                      .Q = A * F * P * way[leg],
+                      .sigma = 1 / (PI * half) * F * P * random_between(seed, -1, 1)};
+}
+
+/* Differences, and the largest of Q over f P. The library goes there in parts. */
+static difference along_a_rig(uint64_t number, int level, double *force)
+{
+    static boundary_element solver;
+    difference sum = {0};
+    uint64_t seed = number;
+    const double a = 0.3, compliance = 0.2;
+    rw_loads now = {.P = 3 * a * THETA / A};
+    rwedge_contact *contact = allowing(create(a, F), 1e-4);
+    apply(contact, now.P, 0, 0, 0);
+    const double b = rwedge_contact_half_width(contact);
+    boundary_element_start(&solver, THETA, a, A, F, (size_t)COARSEST << level, 1.4 * b);
+    assert_int_equal(boundary_element_go(&solver, 1, now), 0);
+    boundary_element_hold(&solver, b, compliance);
+    *force = 0;
+    for (int leg = 0; leg < RIG_LEGS; leg++) {
+        const rw_loads to = draw_rig_leg(leg, now, b, &seed);
+        const double from = solver.driven_to;
+        double Q = NAN;
+        for (int i = 1; i <= RIG_PARTS; i++) {
+            const double share = (double)i / RIG_PARTS;
+            const rw_loads part = rw_loads_between(now, to, share);
+            assert_ok(rwedge_contact_drive(contact, part.P, part.M, part.sigma,
+                                           from + (to.Q - from) * share, compliance, &Q));
+        }
+        assert_int_equal(boundary_element_drive(&solver, 10 << level, to, to.Q), 0);
+        add_difference(contact, &solver, F, &sum);
+        *force = fmax(*force, fabs(Q - boundary_element_force(&solver)) / (F * to.P));
+        now = to;
+    }
+    return sum;
+}
+
+CLAIM(a_rig_in_gross_slip_is_the_limit_of_boundary_elements)
+{
+    for (uint64_t i = 0; i < 2; i++) {
+        double of_coarse, of_fine;
+        const difference coarse = along_a_rig(41 + i, 0, &of_coarse),
+                         fine = along_a_rig(41 + i, LEVELS - 1, &of_fine);
+        printf("rig: Q %.1e shear %.1e energy %.1e\n", of_fine, fine.shear / RIG_LEGS, fine.energy);
+        assert_true(of_fine < 1e-4 && of_fine < 0.3 * of_coarse);
+        assert_true(fine.shear < RIG_LEGS * 5e-4 && fine.shear < 0.3 * coarse.shear);
+        assert_true(fine.energy < 4e-4 && fine.energy < 0.3 * coarse.energy);
+    }
+}
+
 /* ---- Mixed loads ---- */
 
 /* Of P, M, Q and sigma none goes in step with another: no load after the first has a closed form.

@@ -126,8 +126,17 @@ fails_with_status 1 "plain.csv: column Q: missing; a displacement in its place n
 printf 'P,Q\n400,1\n' >forces.csv
 fails_with_status 1 "forces.csv: column displacement: missing; with a compliance loads have it in place of Q; the names there: 'P', 'Q'; --column NAME='THEIR NAME' takes one" \
     history forces.csv $cylinder $compliance
-printf 'P,displacement,sigma\n400,0,0\n400,1,50\n' >tension.csv
-fails_with_status 1 "tension.csv: line 3: the displacement is not known: under a moment or a tension the bodies slide fully, or the load has no closed form" \
-    history tension.csv $cylinder $compliance
+
+# ---- Gross slip with a tension ----
+# The work of Q over the way, and that of the tension at int q x dx: in full sliding that is 0 without a moment.
+awk 'BEGIN { print "P,displacement,sigma"; print "400,0,0"
+    for (i = 1; i <= 200; i++) { s = sin(i * 0.0628318530717959); printf "400,%.17g,%.17g\n", 0.02 * s, 20 * s } }' >tension.csv
+does_quietly history tension.csv $cylinder $compliance
+same "Q reaches f P" "240 -240" "$(by_name 'NR > 101 { if ($Q > m) m = $Q; if ($Q < n) n = $Q } END { print m, n }' out)"
+close_to "energy of the last cycle" "$(by_name 'NR > 102 { area += ($Q + q) / 2 * ($displacement - d) } { q = $Q; d = $displacement }
+    END { printf "%.17g", area }' out)" "$(by_name 'NR == 102 { before = $energy } NR == 202 { printf "%.17g", $energy - before }' out)" 5e-3
+does fretting tension.csv $cylinder $compliance --x 0
+same "the middle slips" 1 "$(by_name 'NR == 2 { print ($slip_range > 0.02) }' out)"
+fails_with_status 1 "tension.csv: line 7: the displacement is not known: no closed form; without --exact it is computed" history tension.csv $cylinder $compliance --exact
 
 finish

@@ -85,6 +85,17 @@ CLAIM(a_contact_that_touches_anew_begins_where_the_rig_is)
     assert_close(drive(contact, P, 5 + mindlin(0.1), 0), 0.1, 1e-10);
 }
 
+/* Also where the bodies were apart. */
+CLAIM(displacements_count_from_the_first_half_width)
+{
+    rwedge_contact *contact = cylinder();
+    drive(contact, P, 0, 0);
+    const double b = rwedge_contact_half_width(contact);
+    drive(contact, 0, 0, 0);
+    drive(contact, 2 * P, 0.1, 0);
+    assert_close(rwedge_contact_displacement(contact, b), 0.1, 1e-10);
+}
+
 CLAIM(the_state_has_what_the_rig_did)
 {
     rwedge_contact *contact = cylinder();
@@ -105,7 +116,103 @@ CLAIM(what_is_prescribed_is_reached_off_the_centre)
     assert_ok(rwedge_contact_drive(contact, P, 0.05, 0, wanted, COMPLIANCE, &Q));
     assert_true(Q > 0 && Q < F * P);
     assert_close(rwedge_contact_displacement(contact, b) + COMPLIANCE * Q, wanted, 1e-10);
-    assert_int_equal(rwedge_contact_drive(contact, P, 0.05, 0, 1, COMPLIANCE, &Q), RWEDGE_EPATH);
+}
+
+/* ---- Full sliding off the centre ---- */
+
+/* A cylinder under a moment is one at another place: it moves as in the middle does. */
+CLAIM(a_cylinder_under_a_moment_slides_like_one_in_the_middle)
+{
+    const double M = 0.3, way = 0.25, limit = F * P;
+    const double at_limit = mindlin(limit) + COMPLIANCE * limit;
+    rwedge_contact *contact = cylinder(), *other = cylinder();
+    double Q;
+    apply(contact, P, M, 0, 0);
+    load(other, P, 0);
+    for (int i = -4; i <= 4; i++) { /* up, on and back, as far as to slide the other way */
+        const double displacement = at_limit + way - i * i * 0.1;
+        assert_ok(rwedge_contact_drive(contact, P, M, 0, displacement, COMPLIANCE, &Q));
+        assert_within(Q, drive(other, P, displacement, COMPLIANCE), 3e-6 * limit);
+        assert_within(rwedge_contact_displacement(contact, rwedge_contact_half_width(contact)) +
+                          COMPLIANCE * Q,
+                      displacement, 1e-10);
+        assert_close(rwedge_contact_dissipated_energy(contact) + 1,
+                     rwedge_contact_dissipated_energy(other) + 1, 1e-5);
+    }
+}
+
+/* int q x dx; what a tension pulls at. */
+static double pulled(const rwedge_contact *contact)
+{
+    enum { PLACES = 100 };
+    double left, right, sum = 0;
+    assert_ok(rwedge_contact_edges(contact, &left, &right));
+    for (int i = 0; i < PLACES; i++) {
+        const double angle = PI * ((i + 0.5) / PLACES - 0.5),
+                     x = (left + right) / 2 + (right - left) / 2 * sin(angle);
+        sum += shear(contact, x) * x * (right - left) / 2 * cos(angle) * PI / PLACES;
+    }
+    return sum;
+}
+
+typedef struct {
+    double M, sigma, phase, variation;
+} swing;
+
+/* The work of force and tension in the second cycle over the energy; what the trapezoids of 200
+ * steps lose is 3e-4. */
+CLAIM(the_energy_off_the_centre_is_the_work_of_force_and_tension)
+{
+    enum { STEPS = 200 };
+    static const swing SWINGS[] = {{0.3, 0.02, 0.3, 0}, {0, 0.04, 1.5, 0}, {0.2, 0.02, 0, 0.1}};
+    for (int k = 0; k < 3; k++) {
+        const swing to = SWINGS[k];
+        rwedge_contact *contact = allowing(cylinder(), 1e-4);
+        double d = 0, Q = 0, sigma = 0, pull = 0, work = 0, before = 0;
+        apply(contact, P, to.M, 0, 0);
+        for (int i = 1; i <= 2 * STEPS; i++) {
+            const double angle = 2 * PI * i / STEPS, last[] = {d, Q, sigma, pull};
+            d = 0.4 * sin(angle);
+            sigma = to.sigma * sin(angle + to.phase);
+            assert_ok(rwedge_contact_drive(contact, P * (1 + to.variation * sin(angle)), to.M,
+                                           sigma, d, COMPLIANCE, &Q));
+            pull = i < STEPS ? 0 : pulled(contact);
+            work += (Q + last[1]) / 2 * (d - last[0]) +
+                    A / 4 * (pull + last[3]) / 2 * (sigma - last[2]);
+            if (i == STEPS) {
+                before = rwedge_contact_dissipated_energy(contact);
+                work = 0;
+            }
+        }
+        assert_close(rwedge_contact_dissipated_energy(contact) - before, work, 7e-4);
+    }
+}
+
+CLAIM(the_state_has_how_it_slid_off_the_centre)
+{
+    rwedge_contact *contact = allowing(cylinder(), 1e-4);
+    double Q, same;
+    apply(contact, P, 0.3, 0, 0);
+    assert_ok(rwedge_contact_drive(contact, P, 0.3, 0.02, 1, COMPLIANCE, &Q));
+    rwedge_contact *again = restored(state_of(contact));
+    for (int i = 1; i < 4; i++) {
+        const double there = 1 - 0.3 * i;
+        assert_ok(rwedge_contact_drive(contact, P, 0.3, 0.02 - 0.01 * i, there, COMPLIANCE, &Q));
+        assert_ok(rwedge_contact_drive(again, P, 0.3, 0.02 - 0.01 * i, there, COMPLIANCE, &same));
+        assert_true(Q == same);
+        assert_state(again, state_of(contact));
+    }
+}
+
+/* Without a rig that prescribes it nothing tells how far it slides. */
+CLAIM(without_a_rig_the_slip_of_sliding_off_the_centre_is_not_known)
+{
+    rwedge_contact *contact = cylinder();
+    double slip;
+    const double x = 0;
+    apply(contact, P, 0.3, 0, 0);
+    apply(contact, P, 0.3, F * P, 0);
+    assert_int_equal(rwedge_contact_slip(contact, 1, &x, &slip), RWEDGE_EPATH);
 }
 
 /* ---- A cycle ---- */
@@ -170,17 +277,16 @@ CLAIM(in_gross_slip_all_places_slip_what_is_left_of_the_way)
     assert_close(to.Q[LOADS - 1], F * P, 1e-12);
 }
 
-/* The integral over the contact; of 4000 places it errs by 2e-6. */
-static double energy_of_places(const rwedge_contact *contact, const rwedge_cycle *cycle)
+/* The integral over the contact; of 4000 places it errs by 2e-6, of 1000 by 1e-5. */
+static double energy_of_places(const rwedge_contact *contact, const rwedge_cycle *cycle, int places)
 {
-    enum { PLACES = 4000 };
     const double b = 1.2 * rwedge_contact_half_width(contact);
     double sum = 0;
-    for (int i = 0; i < PLACES; i++) {
-        const double x = b * sin(PI * ((i + 0.5) / PLACES - 0.5));
+    for (int i = 0; i < places; i++) {
+        const double x = b * sin(PI * ((i + 0.5) / places - 0.5));
         double slip, f1, f2, energy;
         assert_ok(rwedge_cycle_friction(cycle, 1, &x, &slip, &f1, &f2, &energy));
-        sum += energy * b * cos(PI * ((i + 0.5) / PLACES - 0.5)) * PI / PLACES;
+        sum += energy * b * cos(PI * ((i + 0.5) / places - 0.5)) * PI / places;
     }
     return sum;
 }
@@ -194,9 +300,38 @@ CLAIM(a_driven_cycle_has_the_forces_and_the_energy_of_its_contact)
         rwedge_contact *contact = cylinder();
         drive(contact, P, 0.5, COMPLIANCE);
         rwedge_cycle *cycle = driven_cycle(contact, &to, COMPLIANCE);
-        const double sum = energy_of_places(contact, cycle);
+        const double sum = energy_of_places(contact, cycle, 4000);
         const double before = rwedge_contact_dissipated_energy(contact);
         drive_all(contact, &to, COMPLIANCE);
+        assert_close(sum, rwedge_contact_dissipated_energy(contact) - before, tolerance[i]);
+    }
+}
+
+/* Off the centre: under a moment and a tension, in gross slip both ways. */
+CLAIM(a_driven_cycle_off_the_centre_has_the_energy_of_its_contact)
+{
+    static const double variation[] = {0, 0.05}, tolerance[] = {1e-4, 1e-4};
+    for (int i = 0; i < 2; i++) {
+        rig_loads to = rig_cycle(0.5, variation[i]);
+        for (int k = 0; k < LOADS; k++) {
+            to.M[k] = 0.3;
+            to.sigma[k] = 0.02 * cos(2 * PI * (k + 1) / LOADS + 0.5);
+        }
+        rwedge_contact *contact = allowing(cylinder(), 1e-4);
+        double displacement[LOADS], Q;
+        apply(contact, P, 0.3, 0, 0);
+        const double b = rwedge_contact_half_width(contact);
+        assert_ok(rwedge_contact_drive(contact, P, 0.3, to.sigma[LOADS - 1], 0.5, COMPLIANCE, &Q));
+        rwedge_cycle *cycle = driven_cycle(contact, &to, COMPLIANCE);
+        const double sum = energy_of_places(contact, cycle, 1000);
+        const double before = rwedge_contact_dissipated_energy(contact);
+        assert_ok(rwedge_cycle_displacement(cycle, LOADS, b, displacement));
+        for (int k = 0; k < LOADS; k++) {
+            assert_ok(rwedge_contact_drive(contact, to.P[k], to.M[k], to.sigma[k],
+                                           to.displacement[k], COMPLIANCE, &Q));
+            assert_within(Q, to.Q[k], 1e-12);
+            assert_within(displacement[k] + COMPLIANCE * Q, to.displacement[k], 1e-6);
+        }
         assert_close(sum, rwedge_contact_dissipated_energy(contact) - before, tolerance[i]);
     }
 }

@@ -320,16 +320,16 @@ CLAIM(a_shear_of_another_contact_is_refused)
     APPLY(layered, {0.3, 0, 0, 0}, {0.5, 0, 0.05, 0});
     load(other, 0.6, 0);
     const contact_state whole = state_of(computed(0.5));
-    const size_t from =
-        rwedge_contact_state_size(bare) - 5; /* what is computed, and what follows */
+    enum { END = 8 }; /* numbers of what is computed, and of what follows */
+    const size_t from = rwedge_contact_state_size(bare) - END;
     const rwedge_contact *hosts[] = {bare, sheared, layered, other};
     for (int i = 0; i < 4; i++) {
         const contact_state host = state_of(hosts[i]);
-        contact_state joint = {host.size - 5 + whole.size - from, NULL};
+        contact_state joint = {host.size - END + whole.size - from, NULL};
         joint.number = malloc(joint.size * sizeof *joint.number);
         assert_non_null(joint.number);
-        memcpy(joint.number, host.number, (host.size - 5) * sizeof *joint.number);
-        memcpy(joint.number + host.size - 5, whole.number + from,
+        memcpy(joint.number, host.number, (host.size - END) * sizeof *joint.number);
+        memcpy(joint.number + host.size - END, whole.number + from,
                (whole.size - from) * sizeof *joint.number);
         assert_true(is_restored(joint) == (i == 0));
         free(joint.number);
@@ -345,7 +345,7 @@ CLAIM(older_states_are_read)
     enum { STRAIN = 2 + 13, PAD = STRAIN + 2, OF_PAD = 3, END = 4 };
     rwedge_contact *contact = APPLY(create(0.4, 0.5), {0.5, 0, 0.1, 0});
     contact_state s = state_of(contact);
-    s.size -= 4; /* beta, whether the pad is held, and two numbers of a rig */
+    s.size -= 7; /* beta, whether the pad is held, and five numbers of a rig */
     memmove(s.number + PAD + OF_PAD, s.number + PAD + OF_PAD + 1,
             (s.size - PAD - OF_PAD) * sizeof *s.number);
     s.number[0] = 4;

@@ -8,12 +8,9 @@
  *     displacement = (A f/pi) sum (D_i - D_(i+1)) int_0^(s_i) ln(b/s) dP(s).
  * Off the centre it is the slip of a place, plus the displacement that the tractions cause
  * there. */
-#include "cycle/states.h"
-#include "loading/beside.h"
-#include "traction/transform.h"
+#include "contact/contact.h"
 
-#include <stdlib.h>
-#include <string.h>
+#include "traction/transform.h"
 
 /* int P(s)/s ds from 0 to s, in theta/A. */
 static double load_integral(double a, double s)
@@ -91,14 +88,11 @@ static double lasting_place(const rwedge_contact *contact)
 }
 
 /* The edges of the patches, which are nested, are kinks of q. */
-static double off_centre(const rwedge_contact *contact, double b)
+double rw_contact_moved(const rwedge_contact *contact, double b, double x)
 {
     const rw_memory *path = &contact->memory;
-    const double x = lasting_place(contact);
     const double tension = contact->loads.sigma - contact->touched_at;
-    double slip, left = x, right = x, sum = 0;
-    if (rwedge_contact_slip(contact, 1, &x, &slip) != RWEDGE_OK)
-        return NAN;
+    double left = x, right = x, sum = 0;
     if (contact->computed.now)
         sum = numerical_sum(contact, b, x) - pressed_sum(contact, x);
     for (size_t i = 1; i < path->count && !contact->computed.now; i++) {
@@ -110,7 +104,16 @@ static double off_centre(const rwedge_contact *contact, double b)
         left = fmin(left, patch.left);
         right = fmax(right, patch.right);
     }
-    return contact->geometry.A * (sum / RW_PI + contact->strain * tension * x / 4) - slip;
+    return contact->geometry.A * (sum / RW_PI + contact->strain * tension * x / 4);
+}
+
+static double off_centre(const rwedge_contact *contact, double b)
+{
+    const double x = lasting_place(contact);
+    double slip;
+    if (rwedge_contact_slip(contact, 1, &x, &slip) != RWEDGE_OK)
+        return NAN;
+    return rw_contact_moved(contact, b, x) - slip;
 }
 
 double rwedge_contact_displacement(const rwedge_contact *contact, double b)
@@ -119,44 +122,4 @@ double rwedge_contact_displacement(const rwedge_contact *contact, double b)
         return NAN;
     const bool has_no_sum = rw_contact_is_off_centre(contact) || contact->geometry.pad;
     return (has_no_sum ? off_centre(contact, b) : centred(contact, b)) + contact->drive.slid;
-}
-
-/* Goes through the loads once more. */
-static int32_t displacements(const rwedge_cycle *cycle, rwedge_contact *going, double b,
-                             double displacement[])
-{
-    int32_t status = rw_contact_follow_slip(going);
-    for (size_t i = 0; i < cycle->loads.count && status == RWEDGE_OK; i++) {
-        status = rw_contact_apply(going, rw_cycle_goal(cycle, going, i));
-        going->drive.slid += rw_cycle_slid(cycle, i);
-        if (status == RWEDGE_OK && going->phase == RW_APART)
-            status = RWEDGE_EABSENT;
-        displacement[i] = rwedge_contact_displacement(going, b);
-        if (status == RWEDGE_OK && isnan(displacement[i]))
-            status = RWEDGE_EPATH;
-    }
-    return status;
-}
-
-int32_t rwedge_cycle_displacement(const rwedge_cycle *cycle, size_t loads, double b,
-                                  double displacement[])
-{
-    if (!cycle || !displacement)
-        return RWEDGE_ENULL;
-    if (!rw_is_positive(b))
-        return RWEDGE_EDOMAIN;
-    if (loads != cycle->loads.count)
-        return RWEDGE_ERANGE;
-    if (cycle->slip_status != RWEDGE_OK)
-        return cycle->slip_status;
-    rwedge_contact *going = NULL;
-    double *found = malloc(loads * sizeof *found);
-    int32_t status = found ? rwedge_contact_copy(cycle->before, &going) : RWEDGE_ENOMEM;
-    if (status == RWEDGE_OK)
-        status = displacements(cycle, going, b, found);
-    if (status == RWEDGE_OK)
-        memcpy(displacement, found, loads * sizeof *found);
-    rwedge_contact_destroy(going);
-    free(found);
-    return status;
 }

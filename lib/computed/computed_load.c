@@ -146,6 +146,8 @@ static int32_t reach(const rwedge_contact *c, const rw_step *step, const rw_nume
                                          : advance(*next, &frame, to, step->patch);
     if (status == RWEDGE_OK && !is_there && added(&frame, from, *next) > MOST_ADDED * c->tolerance)
         status = RWEDGE_ENOCONV;
+    if (status == RWEDGE_OK && !rw_numerical_cluster(*next))
+        status = RWEDGE_ENOMEM;
     if (status != RWEDGE_OK) {
         rw_numerical_destroy(*next);
         *next = NULL;

@@ -117,12 +117,9 @@ int32_t rwedge_contact_tractions(const rwedge_contact *contact, size_t n, const 
 void rw_add_traction(const rw_traction *traction, double f, int n, const double x[],
                      const double y[], rw_fields *sum)
 {
-    for (int i = 0; i < n; i++) {
-        const rw_field t = rw_traction_field(traction, x[i], y[i]), before = rw_field_in(sum, i);
-        rw_put(sum, i,
-               (rw_field){before.G_re - t.G_re / f, before.G_im - t.G_im / f,
-                          before.H_re - t.H_re / f, before.H_im - t.H_im / f});
-    }
+    rw_fields own;
+    rw_traction_fields(traction, n, x, y, &own);
+    rw_add_fields(&own, -1 / f, n, sum);
 }
 
 static void add_corner(const rwedge_contact *contact, size_t corner, int n, const double x[],

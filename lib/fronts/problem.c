@@ -59,7 +59,7 @@ void rw_friction_after(const rw_problem *p, size_t n, const double x[], double F
 
 void rw_friction_before(const rw_problem *p, size_t n, const double x[], double F[])
 {
-    static const rw_traction NONE = {NULL, 0, 0};
+    static const rw_traction NONE = {.count = 0};
     rw_traction_values(p->is_rate ? &NONE : &p->before->traction, n, x, F);
 }
 

@@ -8,6 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+bool rw_numerical_cluster(rw_numerical *n)
+{
+    return rw_traction_cluster(&n->now.shear.traction) && rw_traction_cluster(&n->now.pressed);
+}
+
 rw_numerical *rw_numerical_begin(const rw_frame *frame, const rw_numerical_state *now,
                                  bool has_origin, rw_values slip, const void *context)
 {
@@ -21,7 +26,8 @@ rw_numerical *rw_numerical_begin(const rw_frame *frame, const rw_numerical_state
         return NULL;
     }
     *n = (rw_numerical){.now = begun};
-    if (!has_origin || rw_numerical_count_slip(n, frame, slip, context))
+    if (rw_numerical_cluster(n) &&
+        (!has_origin || rw_numerical_count_slip(n, frame, slip, context)))
         return n;
     rw_numerical_destroy(n);
     return NULL;

@@ -24,6 +24,9 @@ enum { RW_MOST_EFFORT = 20000000 };
 rw_numerical *rw_numerical_begin(const rw_frame *frame, const rw_numerical_state *now,
                                  bool has_origin, rw_values slip, const void *context);
 
+/* Makes the clusters of its tractions, after a load. false where memory is short. */
+bool rw_numerical_cluster(rw_numerical *numerical);
+
 /* Counts slip anew, from that so far. false where memory is short. */
 bool rw_numerical_count_slip(rw_numerical *numerical, const rw_frame *frame, rw_values slip,
                              const void *context);

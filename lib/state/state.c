@@ -260,6 +260,8 @@ static void pass_shear(stream *t, rw_numerical **shear)
         pass_finite(t, &n->error[i]);
         require(t, n->error[i] >= 0);
     }
+    if (t->in && t->is_sound)
+        has(t, rw_numerical_cluster(n));
 }
 
 static void pass_contact(stream *t, rwedge_contact *c);

@@ -104,6 +104,7 @@ static bool append(rw_traction *t, const rw_element *e)
         return false;
     t->elements = elements;
     t->elements[t->count++] = *e;
+    t->cluster_count = 0;
     return true;
 }
 
@@ -131,6 +132,7 @@ void rw_traction_raise(rw_traction *t, double from, double to, double mean)
     const double most = 6 * mean / ((to - from) * (to - from));
     rule r;
     make_rule(&r);
+    t->cluster_count = 0;
     for (size_t i = 0; i < t->count; i++) {
         rw_element *e = &t->elements[i];
         const double middle = e->low / 2 + e->high / 2;
@@ -147,13 +149,15 @@ void rw_traction_raise(rw_traction *t, double from, double to, double mean)
 
 rw_traction rw_traction_copy(const rw_traction *t, bool *is_whole)
 {
-    return (rw_traction){rw_copied(t->elements, t->count, sizeof *t->elements, is_whole), t->count,
-                         t->count};
+    return (rw_traction){
+        rw_copied(t->elements, t->count, sizeof *t->elements, is_whole), t->count, t->count,
+        rw_copied(t->clusters, t->cluster_count, sizeof *t->clusters, is_whole), t->cluster_count};
 }
 
 void rw_traction_destroy(rw_traction *t)
 {
     free(t->elements);
+    free(t->clusters);
     *t = (rw_traction){0};
 }
 
@@ -368,7 +372,7 @@ static void values_of(const double x[], const void *context, double value[])
 /* The part of an element between two places. */
 static rw_element cut(rw_element *e, double from, double to)
 {
-    const rw_traction alone = {e, 1, 1};
+    const rw_traction alone = {.elements = e, .count = 1};
     const double at_from = u_at(e, from), at_to = u_at(e, to);
     fit how = {.f = values_of, .context = &alone};
     rw_element part = {.end = e->end,
@@ -399,8 +403,8 @@ bool rw_traction_append_part(rw_traction *t, const rw_traction *source, double f
 static bool is_near(const fit *how, rw_element *e, rw_element *other)
 {
     double value[RW_TERMS], wanted[RW_TERMS], apart = 0;
-    values_of(other->x, &(rw_traction){e, 1, 1}, value);
-    values_of(other->x, &(rw_traction){other, 1, 1}, wanted);
+    values_of(other->x, &(rw_traction){.elements = e, .count = 1}, value);
+    values_of(other->x, &(rw_traction){.elements = other, .count = 1}, wanted);
     for (int i = 0; i < RW_TERMS; i++)
         apart = fmax(apart, fabs(value[i] - wanted[i]));
     return apart <= how->tolerance;
@@ -411,7 +415,7 @@ static bool is_near(const fit *how, rw_element *e, rw_element *other)
 static bool join(fit *how, const rw_element *left, const rw_element *right, rw_element *both)
 {
     rw_element pair[2] = {*left, *right};
-    const rw_traction parts = {pair, 2, 2};
+    const rw_traction parts = {.elements = pair, .count = 2};
     how->context = &parts;
     *both = (rw_element){.end = left->low, .scale = right->high - left->low, .last = 1};
     expand(how, both);
@@ -425,6 +429,7 @@ void rw_traction_simplify(rw_traction *t, double tolerance)
     rw_element both;
     size_t last = 0;
     make_rule(&how.rule);
+    t->cluster_count = 0;
     for (size_t i = 1; i < t->count; i++)
         if (join(&how, &t->elements[last], &t->elements[i], &both))
             t->elements[last] = both;

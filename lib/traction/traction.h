@@ -25,14 +25,27 @@ typedef struct {
     double carried[RW_TERMS];        /* that load at the nodes times scale d(u^2) */
 } rw_element;
 
+/* Elements in a row: clusters.h. */
+typedef struct {
+    size_t first, count, parts; /* parts: clusters of its parts, which come next */
+    double middle, per_half;    /* 1 over half of its length */
+    double a[RW_TERMS];
+} rw_cluster;
+
 typedef struct {
     rw_element *elements;
     size_t count, capacity;
+    rw_cluster *clusters; /* of all elements, and of parts; none until it is whole */
+    size_t cluster_count;
 } rw_traction;
 
 /* Where memory is short `is_whole` becomes false, and what there is is only to be freed. */
 rw_traction rw_traction_copy(const rw_traction *traction, bool *is_whole);
 void rw_traction_destroy(rw_traction *traction);
+
+/* Makes the clusters of a traction that is to be read many times. They go where it is changed.
+ * false where memory is short. */
+bool rw_traction_cluster(rw_traction *traction);
 
 /* A function at the RW_TERMS places x of an element. */
 typedef void (*rw_values)(const double x[], const void *context, double value[]);

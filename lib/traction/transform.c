@@ -3,6 +3,7 @@
 
 #include "base/complex.h"
 #include "base/domain.h"
+#include "traction/clusters.h"
 #include "traction/legendre.h"
 
 #include <float.h>
@@ -73,14 +74,15 @@ static pole gauss_sum(const rw_element *e, const double load[], double scale, rw
 {
     pole sum = {{0, 0}, {0, 0}};
     for (int i = 0; i < RW_TERMS; i++) {
-        const double d = e->u[i] - zeta.re, square = d * d + zeta.im * zeta.im;
-        const double share = load[i] / (2 * scale * e->u[i] * square);
-        const rw_complex value = {share * d, share * zeta.im};
+        const double d = e->u[i] - zeta.re;
+        const double per = 1 / (e->u[i] * (d * d + zeta.im * zeta.im)), by = per * e->u[i];
+        const rw_complex quotient = {by * d, by * zeta.im};
+        const rw_complex value = {per * load[i] * d, per * load[i] * zeta.im};
         sum.value = rw_sum(sum.value, value);
-        sum.slope =
-            rw_sum(sum.slope, rw_product(value, (rw_complex){d / square, zeta.im / square}));
+        sum.slope = rw_sum(sum.slope, rw_product(value, quotient));
     }
-    return sum;
+    const double share = 1 / (2 * scale);
+    return (pole){rw_multiple(share, sum.value), rw_multiple(share, sum.slope)};
 }
 
 static pole pole_of(const rw_element *e, int n, const double c[], const double load[], double scale,
@@ -192,17 +194,28 @@ static double far_sum(const double x[], const double load[], double to)
     return sum;
 }
 
+static double element_slope(const rw_element *e, double x)
+{
+    return is_far(e, x, 0)
+               ? far_sum(e->x, e->load, x)
+               : side_of(e) * poles_at(e, e->terms, e->coefficient, e->load, fabs(e->scale), x);
+}
+
 double rw_traction_slope(const rw_traction *t, double x)
 {
     const double at = beside(t, x, BESIDE);
     double sum = 0;
-    for (size_t i = 0; i < t->count; i++) {
-        const rw_element *e = &t->elements[i];
-        sum += is_far(e, at, 0) ? far_sum(e->x, e->load, at)
-                                : side_of(e) * poles_at(e, e->terms, e->coefficient, e->load,
-                                                        fabs(e->scale), at);
-    }
+    for (size_t i = 0; i < t->count; i++)
+        sum += element_slope(&t->elements[i], at);
     return sum / RW_PI;
+}
+
+/* ---- By clusters ---- */
+
+/* What stands for the clusters of a traction that has none: no place is far from it. */
+static rw_cluster all_of(const rw_traction *t)
+{
+    return (rw_cluster){.count = t->count};
 }
 
 /* The primitive is that of the load from `first` on. */
@@ -221,10 +234,18 @@ static double element_potential(const rw_element *e, double x)
 double rw_traction_displacement(const rw_traction *t, double x)
 {
     const double at = beside(t, x, WELL_BESIDE);
-    double sum = 0;
-    for (size_t i = 0; i < t->count; i++)
-        sum += element_potential(&t->elements[i], at);
-    return sum / RW_PI;
+    const rw_cluster all = all_of(t), *c = t->cluster_count > 0 ? t->clusters : &all;
+    const rw_cluster *end = c + (t->cluster_count > 0 ? t->cluster_count : 1);
+    double near = 0, far = 0;
+    while (c < end) {
+        const bool is_done = rw_is_far(c, at, 0);
+        if (is_done)
+            far += rw_cluster_displacement(c, at);
+        for (size_t i = 0; i < c->count && c->parts == 0 && !is_done; i++)
+            near += element_potential(&t->elements[c->first + i], at);
+        c += is_done ? 1 + c->parts : 1;
+    }
+    return near / RW_PI + far;
 }
 
 static pole far_transform(const rw_element *e, double x, double y)
@@ -239,17 +260,90 @@ static pole far_transform(const rw_element *e, double x, double y)
     return sum;
 }
 
-rw_field rw_traction_field(const rw_traction *t, double x, double y)
+/* Its field, but for the traction itself on the surface. */
+static rw_field element_field(const rw_element *e, double x, double y)
 {
     if (y == 0)
-        return (rw_field){rw_traction_slope(t, x), rw_traction_at(t, x), 0, 0};
-    pole sum = {{0, 0}, {0, 0}};
-    for (size_t i = 0; i < t->count; i++) {
-        const rw_element *e = &t->elements[i];
-        const pole share = is_far(e, x, y) ? far_transform(e, x, y) : transform(e, x, y);
-        sum.value = rw_sum(sum.value, share.value);
-        sum.slope = rw_sum(sum.slope, share.slope);
+        return (rw_field){element_slope(e, x) / RW_PI, 0, 0, 0};
+    const pole own = is_far(e, x, y) ? far_transform(e, x, y) : transform(e, x, y);
+    return rw_field_multiple(
+        1 / RW_PI, (rw_field){own.value.re, own.value.im, y * own.slope.re, y * own.slope.im});
+}
+
+/* Some of the places. */
+typedef struct {
+    int count, place[RW_BATCH];
+    double x[RW_BATCH], y[RW_BATCH];
+} group;
+
+static void put_in(group *g, int place, double x, double y)
+{
+    g->place[g->count] = place;
+    g->x[g->count] = x;
+    g->y[g->count++] = y;
+}
+
+static void add(rw_field own, int place, rw_fields *sum)
+{
+    const rw_field before = rw_field_in(sum, place);
+    rw_put(sum, place,
+           (rw_field){before.G_re + own.G_re, before.G_im + own.G_im, before.H_re + own.H_re,
+                      before.H_im + own.H_im});
+}
+
+static void add_cluster(const rw_cluster *c, group *far, rw_fields *sum)
+{
+    rw_fields own;
+    rw_cluster_fields(c, far->count, far->x, far->y, &own);
+    for (int i = 0; i < far->count; i++)
+        add(rw_field_in(&own, i), far->place[i], sum);
+}
+
+static void add_element(const rw_element *e, const group *near, rw_fields *sum)
+{
+    for (int i = 0; i < near->count; i++)
+        add(element_field(e, near->x[i], near->y[i]), near->place[i], sum);
+}
+
+/* A place waits until the cluster `next`: it had all before. */
+static void add_clusters(const rw_traction *t, int n, const double x[], const double y[],
+                         rw_fields *sum)
+{
+    const rw_cluster all = all_of(t), *clusters = t->cluster_count > 0 ? t->clusters : &all;
+    const size_t count = t->cluster_count > 0 ? t->cluster_count : 1;
+    size_t next[RW_BATCH] = {0};
+    for (size_t i = 0; i < count;) {
+        const rw_cluster *c = &clusters[i];
+        group far = {.count = 0}, near = {.count = 0};
+        for (int k = 0; k < n; k++) {
+            const bool is_far_off = next[k] <= i && rw_is_far(c, x[k], y[k]);
+            if (next[k] <= i)
+                put_in(is_far_off ? &far : &near, k, x[k], y[k]);
+            if (is_far_off)
+                next[k] = i + 1 + c->parts;
+        }
+        if (far.count > 0)
+            add_cluster(c, &far, sum);
+        for (size_t k = 0; k < c->count && c->parts == 0; k++)
+            add_element(&t->elements[c->first + k], &near, sum);
+        i += near.count > 0 ? 1 : 1 + c->parts;
     }
-    return (rw_field){sum.value.re / RW_PI, sum.value.im / RW_PI, y * sum.slope.re / RW_PI,
-                      y * sum.slope.im / RW_PI};
+}
+
+void rw_traction_fields(const rw_traction *t, int n, const double x[], const double y[],
+                        rw_fields *fields)
+{
+    double at[RW_BATCH], own[RW_BATCH];
+    bool has_surface = false;
+    for (int i = 0; i < n; i++) {
+        at[i] = y[i] == 0 ? beside(t, x[i], BESIDE) : x[i];
+        has_surface = has_surface || y[i] == 0;
+    }
+    rw_clear_fields(n, fields);
+    add_clusters(t, n, at, y, fields);
+    if (has_surface)
+        rw_traction_values(t, (size_t)n, x, own);
+    for (int i = 0; i < n && has_surface; i++)
+        if (y[i] == 0)
+            fields->G_im[i] = own[i];
 }

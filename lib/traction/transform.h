@@ -10,7 +10,7 @@
 #define RW_TRANSFORM_H
 
 #include "traction/traction.h"
-#include "potential/potential.h"
+#include "potential/batch.h"
 
 /* Re Omega at a place of the surface, a principal value where there is traction. */
 double rw_traction_slope(const rw_traction *traction, double x);
@@ -18,7 +18,10 @@ double rw_traction_slope(const rw_traction *traction, double x);
 /* w at a place of the surface, up to a constant that depends on the unit of length. */
 double rw_traction_displacement(const rw_traction *traction, double x);
 
-/* Omega and y Omega' at a depth y > 0; on the surface, Omega + i t. */
-rw_field rw_traction_field(const rw_traction *traction, double x, double y);
+/* Omega and y Omega' at n <= RW_BATCH places; on the surface, Omega + i t and 0. What a place has
+ * does not depend on the others. It is quick where the traction has its clusters, and so is the
+ * displacement. */
+void rw_traction_fields(const rw_traction *traction, int n, const double x[], const double y[],
+                        rw_fields *fields);
 
 #endif

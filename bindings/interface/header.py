@@ -31,6 +31,7 @@ ROLES = (
     (r"rwedge_(\w+) \*\w+", "changed"),
     (r"rwedge_(\w+) \*\*\w+", "created"),
 )
+MOST_PARAMETERS = 12
 RETURNS = ("double", "int32_t", "size_t", "const char *", "void")
 SECTION = re.compile(r"/\* ---- (.*?) -+ \*/")
 TOKEN = re.compile(r"""
@@ -283,6 +284,8 @@ class Reader:
         if not listed:
             self.refuse(line, f"rwedge_{name}() has no parameters, which is not (void)")
         parameters = [self.parameter(p, line) for p in listed.strip().split(", ") if p != "void"]
+        if len(parameters) > MOST_PARAMETERS:
+            self.refuse(line, f"rwedge_{name}() has {len(parameters)} parameters: more than {MOST_PARAMETERS} want an object, or an array")
         function = Function(name, returns, "", parameters, self.section, self.dimensional, line, self.comment, self.alone)
         if returns.startswith("const") and function.of("created", "changed", "out array"):
             self.refuse(line, f"rwedge_{name}() returns a text: it may only read")

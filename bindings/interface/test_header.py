@@ -102,6 +102,11 @@ class Reader(unittest.TestCase):
             line = HEADER.read_text(encoding="ascii").split("\n#ifdef __cplusplus\n}\n")[0].count("\n") + 3
             self.assertIn(f"rwedge.h:{line}: ", str(refused.exception))
 
+    def test_no_function_has_more_than_a_dozen_parameters(self):
+        listed = ", ".join(f"double x{i}" for i in range(13))
+        with self.assertRaisesRegex(Refused, "13 parameters"):
+            declared("/* A value. */", f"RWEDGE_API double rwedge_v({listed});")
+
     def test_comments_that_break_a_convention_are_refused(self):
         for comment in ("", "/* V.\n *   z  not an argument of it */", "/* V.\n *   v  receives m numbers */"):
             with self.subTest(comment), self.assertRaises(Refused):

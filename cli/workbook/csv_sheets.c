@@ -124,4 +124,5 @@ void csv_sheets_write(void *of_files, records *rows)
             spreadsheet_next_sheet(rows);
         write_file(files->path[i], files->decimal_sign, rows);
     }
+    rows->sheets = NULL; /* the names end here */
 }

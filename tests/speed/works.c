@@ -219,7 +219,8 @@ static double lagging(const work *w)
     return error;
 }
 
-/* The tension has lagged for a quarter of a cycle; below the surface, or on it where `first` is 0. */
+/* The tension has lagged for a quarter of a cycle; below the surface, or on it where `first` is
+ * 0. */
 static double computed_points(const work *w)
 {
     static const double surface[POINTS] = {0};

@@ -66,9 +66,11 @@ double rw_root(rw_function f, const void *context, double lo, double hi, double 
 
 /* ---- Integrals ---- */
 
-/* Zeros below 0 of the Legendre polynomials P_8 and P_16, and half of the weights 2/((1-x^2)
- * P'(x)^2). */
+/* Zeros below 0 of the Legendre polynomials P_4, P_8 and P_16, and half of the weights
+ * 2/((1-x^2) P'(x)^2). */
 typedef double half_rule[2];
+static const half_rule OF_4[] = {{-0.86113631159405257522, 0.17392742256872692869},
+                                 {-0.33998104358485626480, 0.32607257743127307131}};
 static const half_rule OF_8[] = {{-0.96028985649753623168, 0.050614268145188129576},
                                  {-0.79666647741362673959, 0.11119051722668723527},
                                  {-0.52553240991632898582, 0.15685332293894364367},
@@ -84,7 +86,7 @@ static const half_rule OF_16[] = {{-0.9894009349916499326, 0.0135762297058770474
 
 void rw_gauss(int n, double node[], double weight[])
 {
-    const half_rule *rule = n == 16 ? OF_16 : OF_8;
+    const half_rule *rule = n == 16 ? OF_16 : n == 8 ? OF_8 : OF_4;
     for (int i = 0; i < n / 2; i++) {
         node[i] = (1 + rule[i][0]) / 2;
         node[n - 1 - i] = (1 - rule[i][0]) / 2;

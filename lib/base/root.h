@@ -11,7 +11,7 @@ typedef double (*rw_function)(double x, const void *context);
  * finite. */
 double rw_root(rw_function f, const void *context, double lo, double hi, double nearest);
 
-/* Gauss's nodes and weights for 0 to 1; n is 8 or 16. */
+/* Gauss's nodes and weights for 0 to 1; n is 4, 8 or 16. */
 void rw_gauss(int n, double node[], double weight[]);
 
 /* The integral of f over [lo, hi] by Gauss and Legendre with 16 points. It is exact for polynomials

@@ -28,6 +28,9 @@ double rw_pass_place(const rw_pass_path *path, double t)
     const double turn = path->turn, round = 4 * turn;
     const double at = t > 2 * turn ? t - round : t < -2 * turn ? t + round : t;
     const double left = rw_larger(2 * turn - fabs(at), FARTHEST * turn);
+    if (fabs(at) ==
+        rw_patch_half_width(path->pass->patch)) /* beside it a power of what rounding leaves */
+        return at < 0 ? path->pass->patch.left : path->pass->patch.right;
     return path->middle + (fabs(at) <= turn ? at : copysign(turn * (turn / left), at));
 }
 

@@ -5,7 +5,7 @@
 #include "base/root.h"
 
 /* An arc is short where its half is this part of its distance from the edges. */
-static const double SHORT = 1.0 / 16;
+static const double SHORT = 1.0 / 32;
 
 rw_sliding_frame rw_sliding_frame_of(rw_sliding_way slides, rw_patch patch)
 {
@@ -16,7 +16,7 @@ rw_sliding_frame rw_sliding_frame_of(rw_sliding_way slides, rw_patch patch)
                               .half = rw_patch_half_width(patch),
                               .rule = rule,
                               .other = &slides.unlike->rule[1 - first],
-                              .whole = RW_PI / sin(RW_PI * rule->a)};
+                              .whole = rule->whole};
 }
 
 /* From the left edge on, J is known. */

@@ -21,7 +21,7 @@ typedef struct {
     double jump, step;
 } rw_joint;
 
-enum { RW_ARC_NODES = 8 };
+enum { RW_ARC_NODES = 4 };
 
 /* A slope that grows by `rise` from one place to another, evenly. */
 typedef struct {

@@ -394,15 +394,83 @@ static double criterion(const work *w)
     return value[0];
 }
 
-/* Of bodies with the Dundurs' beta `first`. */
-static double points_that_slide(const work *w)
+/* ---- Full sliding of bodies with the Dundurs' beta `first` ---- */
+
+static rwedge_contact *sliding(double beta)
 {
     rwedge_contact *contact = new_contact();
-    must(rwedge_contact_set_beta(contact, w->first));
+    must(rwedge_contact_set_beta(contact, beta));
     must(rwedge_contact_load(contact, P, 0.6 * P));
+    return contact;
+}
+
+static double points_that_slide(const work *w)
+{
+    rwedge_contact *contact = sliding(w->first);
     must(rwedge_contact_stresses(contact, (size_t)w->n, xs, ys, out[0], out[1], out[2]));
     rwedge_contact_destroy(contact);
     return out[0][0] + out[2][w->n - 1];
+}
+
+static double single_points_that_slide(const work *w)
+{
+    rwedge_contact *contact = sliding(w->first);
+    double sum = 0;
+    for (long i = 0; i < w->n; i++) {
+        double sxx, syy, txy;
+        must(rwedge_contact_stresses(contact, 1, xs + i, ys + i, &sxx, &syy, &txy));
+        sum += sxx + syy + txy;
+    }
+    rwedge_contact_destroy(contact);
+    return sum;
+}
+
+static double yield_factors_that_slide(const work *w)
+{
+    rwedge_contact *contact = sliding(w->first);
+    double sum = 0, factor;
+    for (long i = 0; i < w->n; i++) {
+        must(rwedge_contact_yield_factor(contact, 0.3, 100, &factor, NULL, NULL));
+        sum += factor;
+    }
+    rwedge_contact_destroy(contact);
+    return sum;
+}
+
+static double shakedown_factors_that_slide(const work *w)
+{
+    rwedge_contact *contact = sliding(w->first);
+    double sum = 0, factor, y;
+    for (long i = 0; i < w->n; i++) {
+        must(rwedge_contact_shakedown_factor(contact, 0.3, 100, &factor, &y));
+        sum += factor;
+    }
+    rwedge_contact_destroy(contact);
+    return sum;
+}
+
+/* The paper's contacts, held. */
+static double sliding_limits(const work *w)
+{
+    double sum = 0, f, limit, x, y;
+    for (long i = 0; i < w->n; i++) {
+        const double alpha = case_of(i, &f);
+        must(rwedge_sliding_limit(alpha, w->first * f, f, 0.3, 1, &limit, &x, &y));
+        sum += limit;
+    }
+    return sum;
+}
+
+/* With the largest tension. */
+static double sliding_laws(const work *w)
+{
+    double sum = 0, f, load, middle, tilt, tension;
+    for (long i = 0; i < w->n; i++) {
+        const double alpha = case_of(i, &f);
+        must(rwedge_sliding_law(alpha, w->first * f, 1, &load, &middle, &tilt, &tension));
+        sum += tension;
+    }
+    return sum;
 }
 
 const work works[] = {
@@ -414,6 +482,8 @@ const work works[] = {
     {"stress in an array of 10^6", array_of_points, 0, 0, MANY},
     {"stress in an array, of a contact", points_that_slide, 0, 0, POINTS},
     {"stress in an array, unlike bodies", points_that_slide, -0.11, 0, POINTS},
+    {"stress at a point, of a contact", single_points_that_slide, 0, 0, POINTS / 4},
+    {"stress at a point, unlike bodies", single_points_that_slide, -0.11, 0, POINTS / 4},
     {"stress in an array, of a flat pad", points_of_a_flat_pad, 2000, 0, POINTS},
     {"stress in an array, 99 arcs", points_of_a_profile, 20000, 0, POINTS / 4},
     {"elastic limit, cold", limits_one_by_one, 0, 0, PAPER_LIMITS / 5},
@@ -428,6 +498,12 @@ const work works[] = {
     {"yield factor, P and then Q", yield_factors, 2, 0, 20},
     {"yield factor, 250 corners", yield_factors, 250, 0, 1},
     {"yield factor, off the centre", yield_factors, 250, 8000, 1},
+    {"yield factor, sliding", yield_factors_that_slide, 0, 0, 40},
+    {"yield factor, unlike bodies", yield_factors_that_slide, -0.11, 0, 20},
+    {"shakedown factor, sliding", shakedown_factors_that_slide, 0, 0, 40},
+    {"shakedown factor, unlike bodies", shakedown_factors_that_slide, -0.11, 0, 20},
+    {"elastic limit, unlike bodies", sliding_limits, -0.11, 0, PAPER_LIMITS / 10},
+    {"largest tension, unlike bodies", sliding_laws, -0.11, 0, PAPER_LIMITS},
     {"load that grows, of 2000", growing_loads, 0, 0, MOST_LOADS},
     {"load that grows, of 40000", growing_loads, 0, 0, 20 * MOST_LOADS},
     {"load, tension lags, to 1e-3", lagging, 1e-3, 0, 48},

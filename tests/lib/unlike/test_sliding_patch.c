@@ -6,6 +6,7 @@
 #include "quadrature.h"
 
 #include <complex.h>
+#include <fenv.h>
 
 static const double F = 0.5;
 
@@ -269,6 +270,41 @@ CLAIM(without_coupling_all_is_as_before)
                    *other = APPLY(unlike(wedge(0.3, 0), 0.2), {1, 0.1, 0, 0});
     const stresses s = stress_at(smooth, 0.2, 0.1), t = stress_at(other, 0.2, 0.1);
     assert_memory_equal(&s, &t, sizeof s);
+}
+
+/* Near and far, at an edge and next to it, at the ends of the rounding, on the surface. */
+static void points_of_all_kinds(int n, const double marks[4], double x[], double y[])
+{
+    uint64_t seed = 5;
+    for (int i = 0; i < n; i++) {
+        const double r = pow(10, random_between(&seed, -17, i % 9 == 0 ? 40 : 0.5));
+        const double angle = random_between(&seed, 0, PI);
+        x[i] = marks[i % 4] + (i % 11 == 0 ? 0 : r * cos(angle));
+        y[i] = i % 11 == 0 || i % 7 == 0 ? 0 : r * sin(angle);
+    }
+}
+
+/* For every length, and without an exception on which a host may trap. */
+CLAIM(arrays_have_the_bits_of_single_points)
+{
+    enum { N = 75 };
+    for (double a = 1e-3; a < 2; a *= 5)
+        for (double mu = -0.2; mu < 0.3; mu += 0.4) {
+            const rwedge_contact *contact = sliding(wedge(a, F), mu, 1, 0.05);
+            const rw_patch edges = edges_of(contact);
+            double x[N], y[N], xx[N], yy[N], xy[N];
+            points_of_all_kinds(N, (double[]){edges.left, -a, a, edges.right}, x, y);
+            for (size_t n = 1; n < N; n += n < 10 ? 1 : 16) {
+                feclearexcept(FE_ALL_EXCEPT);
+                assert_ok(rwedge_contact_stresses(contact, n, x, y, xx, yy, xy));
+                assert_int_equal(fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW), 0);
+                for (size_t i = 0; i < n; i++) {
+                    const stresses of_array = {xx[i], yy[i], xy[i]},
+                                   alone = stress_at(contact, x[i], y[i]);
+                    assert_memory_equal(&of_array, &alone, sizeof alone);
+                }
+            }
+        }
 }
 
 /* ---- What such a contact does ---- */

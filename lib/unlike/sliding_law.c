@@ -83,9 +83,11 @@ int32_t rwedge_coupling(double alpha, double beta, double f, double Q_over_fP, i
     static const double BESIDE = 0.06; /* of the half-width */
     if (!swing || !tension)
         return RWEDGE_ENULL;
-    const double mu = -beta * f * Q_over_fP;
     if (!rw_is_signed(beta) || fabs(beta) > 0.5 || !rw_is_friction(f) ||
-        !rw_is_fraction(Q_over_fP) || !is_case(alpha, mu) || held < 0 || held > 1)
+        !rw_is_fraction(Q_over_fP) || held < 0 || held > 1)
+        return RWEDGE_EDOMAIN;
+    const double mu = -beta * f * Q_over_fP;
+    if (!is_case(alpha, mu))
         return RWEDGE_EDOMAIN;
     rw_unlike unlike;
     rw_unlike_init(&unlike, mu);

@@ -107,7 +107,7 @@ static plane_history history_on(const block *k, double angle, double out, double
     const double n[3] = {cos(out) * sin(angle), cos(out) * cos(angle), sin(out)};
     const double u[3] = {cos(angle), -sin(angle), 0};
     const double v[3] = {-sin(out) * sin(angle), -sin(out) * cos(angle), cos(out)};
-    plane_history c;
+    plane_history c = {.normal = {0}};
     for (size_t i = 0; i < k->n; i++) {
         const double trace = k->sxx[i] + k->syy[i], z = k->plane_stress ? 0 : k->nu * trace;
         const double t[3] = {k->sxx[i] * n[0] + k->txy[i] * n[1],

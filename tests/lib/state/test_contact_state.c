@@ -336,6 +336,13 @@ CLAIM(a_shear_of_another_contact_is_refused)
     }
 }
 
+/* Takes numbers out of a state, in front of those up to `end`. */
+static void leave_out(const contact_state *s, size_t at, size_t count, size_t end)
+{
+    for (size_t i = at; i < end; i++)
+        s->number[i] = s->number[i + count];
+}
+
 /* A state of the first version, which did not hold the strain, is that of equal compliances. Since
  * the third, what is no wedge is after the energy, and what has no closed form at the end; since
  * the fifth, beta stands behind the pad, and how it is held and driven at the end. */
@@ -346,18 +353,17 @@ CLAIM(older_states_are_read)
     rwedge_contact *contact = APPLY(create(0.4, 0.5), {0.5, 0, 0.1, 0});
     contact_state s = state_of(contact);
     s.size -= 7; /* beta, whether the pad is held, and five numbers of a rig */
-    memmove(s.number + PAD + OF_PAD, s.number + PAD + OF_PAD + 1,
-            (s.size - PAD - OF_PAD) * sizeof *s.number);
+    leave_out(&s, PAD + OF_PAD, 1, s.size);
     s.number[0] = 4;
     sign(s);
     assert_state(restored(s), state_of(contact));
     s.size -= OF_PAD + END - 1;
-    memmove(s.number + PAD, s.number + PAD + OF_PAD, (s.size + END - PAD) * sizeof *s.number);
+    leave_out(&s, PAD, OF_PAD, s.size + END);
     s.number[0] = 2;
     sign(s);
     assert_state(restored(s), state_of(contact));
     s.size--;
-    memmove(s.number + STRAIN, s.number + STRAIN + 1, (s.size + END - STRAIN) * sizeof *s.number);
+    leave_out(&s, STRAIN, 1, s.size + END);
     s.number[0] = 1;
     sign(s);
     assert_state(restored(s), state_of(contact));

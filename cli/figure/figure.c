@@ -7,12 +7,14 @@
 #include <math.h>
 #include <string.h>
 
-enum { FIGURE_COUNT = 20 };
+enum { FIGURE_COUNT = 22 };
 static const figure *const figures[FIGURE_COUNT] = {
-    &figure_pressure, &figure_normal,    &figure_sliding, &figure_yield_point, &figure_tension,
-    &figure_shear,    &figure_field,     &figure_loop,    &figure_eccentric,   &figure_history,
-    &figure_fretting, &figure_measure,   &figure_crack,   &figure_wear,        &figure_shakedown,
-    &figure_contact,  &figure_tractions, &figure_stress,  &figure_tests,       &figure_measured};
+    &figure_pressure,       &figure_normal,  &figure_sliding,   &figure_yield_point,
+    &figure_tension,        &figure_shear,   &figure_field,     &figure_loop,
+    &figure_eccentric,      &figure_history, &figure_fretting,  &figure_measure,
+    &figure_crack,          &figure_wear,    &figure_shakedown, &figure_unlike_limit,
+    &figure_unlike_tension, &figure_contact, &figure_tractions, &figure_stress,
+    &figure_tests,          &figure_measured};
 
 enum {
     OPTION_FIGURE_VARIABLE = OPTION_AFTER_CRACK,
@@ -56,6 +58,9 @@ static const struct poptOption options[] = {
      "Half-width of the stick zone c/b, 0 to 1; 0 is full sliding", "RANGE"},
     {VALUE("sigma-over-max", OPTION_FIGURE_VARIABLE + SIGMA_OVER_MAX),
      "Bulk tension over the largest that slips one way, pi b sigma/(4 Q), -1 to 1", "RANGE"},
+    {VALUE("beta-f", OPTION_FIGURE_VARIABLE + BETA_F),
+     "Unlike bodies: Dundurs' beta of half-plane and wedge times f, -1 to 1; 0 are similar bodies",
+     "RANGE"},
     {INCLUDED(history_figure_option_table),
      "A contact and its loads, for loop and the figures below without variables:", NULL},
     {VALUE("measure", OPTION_MEASURE),

@@ -117,7 +117,8 @@ struct figure {
 extern const figure figure_pressure, figure_normal, figure_sliding, figure_yield_point,
     figure_tension, figure_shear, figure_field, figure_loop, figure_eccentric, figure_history,
     figure_any_loop, figure_fretting, figure_measure, figure_crack, figure_wear, figure_shakedown,
-    figure_contact, figure_tractions, figure_stress, figure_tests, figure_measured;
+    figure_unlike_limit, figure_unlike_tension, figure_contact, figure_tractions, figure_stress,
+    figure_tests, figure_measured;
 
 /* The lines of the files in scripts/, which the build makes of them; NULL after the last: what
  * every script begins with, what stands for its line "frame", and the figures' own. */
@@ -125,8 +126,8 @@ typedef const char *const script_line;
 extern script_line head_lines[], frame_lines[], pressure_lines[], normal_lines[], sliding_lines[],
     yield_point_lines[], tension_lines[], shear_lines[], field_lines[], loop_lines[],
     eccentric_lines[], history_lines[], any_loop_lines[], fretting_lines[], measure_lines[],
-    crack_lines[], wear_lines[], shakedown_lines[], contact_lines[], tractions_lines[],
-    stress_lines[], tests_lines[], measured_lines[];
+    crack_lines[], wear_lines[], shakedown_lines[], unlike_limit_lines[], unlike_tension_lines[],
+    contact_lines[], tractions_lines[], stress_lines[], tests_lines[], measured_lines[];
 
 /* A round step that gives 8 to 20 levels up to the top. */
 double step_of_levels(double top);

@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Figs. 3 to 5: the elastic limit, and where it yields. */
+/* Figs. 3 to 5: the elastic limit, and where it yields. Unlike bodies beside Figs. 4 and 6. */
 #include "figure.h"
 
 #include <math.h>
 #include <stdio.h>
 
 static const char surface[] = "surface", subsurface[] = "subsurface";
+
+/* What beta f of unlike bodies is drawn; 0 are similar ones. */
+#define UNLIKE_USUAL "-0.1,-0.05,0,0.05,0.1"
 
 /* ---- Fig. 3 ---- */
 
@@ -201,6 +204,82 @@ const figure figure_shakedown = {
     .drawn = 1 << 4,
     .nothing = "the limits of a sharp wedge are 0",
     .script = shakedown_lines};
+
+/* ---- Unlike bodies beside Figs. 4 and 6 ---- */
+
+static double limit_of_unlike(const figure_case *inputs, int n, double f, int32_t is_held)
+{
+    double limit, x, y;
+    case_check(inputs, rwedge_sliding_limit(case_value(inputs, A_OVER_B),
+                                            range_value(&inputs->value[BETA_F], n), f,
+                                            case_value(inputs, NU), is_held, &limit, &x, &y));
+    return limit;
+}
+
+static void add_unlike(const figure_case *inputs, int n, double f, dataset *rows)
+{
+    const double alpha = case_value(inputs, A_OVER_B), nu = case_value(inputs, NU);
+    dataset_add(rows, (data_row){.curve = n,
+                                 .number = {alpha, range_value(&inputs->value[BETA_F], n), f, nu,
+                                            rwedge_elastic_limit(alpha, f, nu),
+                                            limit_of_unlike(inputs, n, f, 1),
+                                            limit_of_unlike(inputs, n, f, 0)}});
+}
+
+/* |beta| is at most 1/2: from that friction on. */
+static void compute_unlike_limit(const figure_case *inputs, dataset *rows)
+{
+    for (int n = 0; n < inputs->value[BETA_F].count; n++) {
+        const double least = 2 * fabs(range_value(&inputs->value[BETA_F], n));
+        add_unlike(inputs, n, least, rows);
+        for (int i = 0; i <= FRICTION_STEPS; i++)
+            if (friction_step(i) > least)
+                add_unlike(inputs, n, friction_step(i), rows);
+    }
+}
+
+const figure figure_unlike_limit = {
+    .name = "unlike-limit",
+    .summary = "elastic limit of unlike bodies in sliding over f, beside Fig. 4",
+    .use =
+        {[A_OVER_B] = {"0.5", 1}, [NU] = {"0.3", 1}, [BETA_F] = {UNLIKE_USUAL, FIGURE_CURVES_MAX}},
+    .column = (const char *const[]){"a_over_b", "beta_f", "f", "nu", "P_over_bk", "P_over_bk_held",
+                                    "P_over_bk_free", NULL},
+    .compute = compute_unlike_limit,
+    .drawn = 1 << 4,
+    .nothing = "the elastic limit of a sharp wedge is 0",
+    .script = unlike_limit_lines};
+
+static double tension_of_unlike(const figure_case *inputs, double alpha, double beta_f,
+                                int32_t is_held)
+{
+    double total, middle, tilt, tension;
+    case_check(inputs,
+               rwedge_sliding_law(alpha, beta_f, is_held, &total, &middle, &tilt, &tension));
+    return tension;
+}
+
+static void compute_unlike_tension(const figure_case *inputs, dataset *rows)
+{
+    enum { STEPS = 100 };
+    for (int n = 0; n < inputs->value[BETA_F].count; n++)
+        for (int i = 0; i <= STEPS; i++) {
+            const double alpha = (double)i / STEPS, beta_f = range_value(&inputs->value[BETA_F], n);
+            dataset_add(rows, (data_row){.curve = n,
+                                         .number = {alpha, beta_f,
+                                                    tension_of_unlike(inputs, alpha, beta_f, 1),
+                                                    tension_of_unlike(inputs, alpha, beta_f, 0)}});
+        }
+}
+
+const figure figure_unlike_tension = {
+    .name = "unlike-tension",
+    .summary = "maximum tension of unlike bodies over a/b, beside Fig. 6",
+    .use = {[BETA_F] = {UNLIKE_USUAL, FIGURE_CURVES_MAX}},
+    .column = (const char *const[]){"a_over_b", "beta_f", "b_sigma_over_fP_held",
+                                    "b_sigma_over_fP_free", NULL},
+    .compute = compute_unlike_tension,
+    .script = unlike_tension_lines};
 
 /* ---- Fig. 5 ---- */
 

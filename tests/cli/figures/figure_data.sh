@@ -115,7 +115,7 @@ same "JSON" '{"a_over_b": 0, "b_sigma_over_fP": 1},' "$(sed -n 2p out)"
 run figure 6 --data --decimal-comma --digits 3
 same "decimal comma" "0,005;1" "$(sed -n 3p out)"
 # Mistakes.
-all="2, 3, 4, 5, 6, 7, field, loop, eccentric, history, fretting, measure, crack, wear, shakedown, contact, tractions, stress, tests, measured"
+all="2, 3, 4, 5, 6, 7, field, loop, eccentric, history, fretting, measure, crack, wear, shakedown, unlike-limit, unlike-tension, contact, tractions, stress, tests, measured"
 refuses "which figure must follow; allowed: $all" figure
 refuses "1: unknown figure; allowed: $all" figure 1
 refuses "log.csv: unexpected; allowed: one figure, and options; --history gives a file of loads" figure fretting log.csv
@@ -198,6 +198,25 @@ for limit in elastic shakedown; do
 done | paste -d ' ' - - | tr ' ' '\n' | paste -d ' ' - - >tabulated
 same "limits of the map" "$(cat tabulated)" "$(cat drawn)"
 same "cusps of the map" 67 "$(figure_rows=$(run figure shakedown --a-over-b 0.5 --data; tail -n +2 out | wc -l); echo $figure_rows)"
+# Unlike bodies beside Figs. 4 and 6: the tables, which are held; the paper's curves where beta is 0.
+does figure unlike-limit --a-over-b 0.5 --beta-f=-0.05,0,0.1 --data
+same "columns of unlike limits" "a_over_b,beta_f,f,nu,P_over_bk,P_over_bk_held,P_over_bk_free" "$(head -n 1 out)"
+exact 'NR > 1 && $3 == 0.4 { print $6 } NR > 1 && $2 == 0 && $3 == 0.4 { print $5, $6 > "similar"; print $5, $7 > "similar" }
+    NR > 1 && $2 > 0 && $3 < 2 * $2 { print "beta is above a half" }' out >drawn
+run table elastic-limit --a-over-b 0.5 --friction 0.4 --nu 0.3 --beta-f=-0.05,0,0.1
+same "limits of unlike bodies" "$(column P_over_bk out)" "$(cat drawn)"
+mv similar both
+close_rows "limits of similar bodies" 1e-11 0
+does figure unlike-tension --beta-f=-0.05,0,0.1 --data
+same "columns of unlike tensions" "a_over_b,beta_f,b_sigma_over_fP_held,b_sigma_over_fP_free" "$(head -n 1 out)"
+awk -F, '$1 == 0.5 { print $3 }' out >drawn
+awk -F, '$1 == 0.1 && $2 == -0.05 { print $4 }' out >free
+run table max-tension --a-over-b 0.5 --friction 1 --beta-f=-0.05,0,0.1
+same "tensions of unlike bodies" "$(column b_sigma_over_fP out)" "$(cat drawn)"
+# by another program: 6.0 % above similar bodies
+run table max-tension --a-over-b 0.1 --friction 1
+close_to "the tension of a free wedge" "$(column b_sigma_over_fP out | awk '{ print $1 * 1.06 }')" "$(cat free)" 1e-3
+refuses "--beta-f 0.1: figure 6 does not depend on it; allowed: none of the variables" figure 6 --beta-f 0.1
 # Any measure: along the surface as fretting has it, below its worst place, on a grid.
 does figure measure --history loads.csv $specimen --cycles 2 --measure crossland --crossland-alpha 0.3 --data
 same "columns of measure" "x,y,value" "$(head -n 1 out)"

@@ -120,6 +120,11 @@ printf 'P,Q\n135.75,0\n135.75,30\n135.75,-30\n135.75,30\n' >loads.csv
 draws measure --history loads.csv --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.3 --measure ruiz_f1
 has "Ruiz parameter" "in units of force/length"
 
+draws unlike-limit
+draws unlike-limit --a-over-b 1 --beta-f 0
+draws unlike-limit --beta-f=-0.4:0.4:0.1
+draws unlike-tension
+draws unlike-tension --beta-f 0
 draws eccentric
 above "bars: stick zones; thin line: friction's limit" "πbσ/(4Q) = 0"
 draws eccentric --a-over-b 0 --q-over-fp 0.9 --sigma-over-max=-1:1:0.5

@@ -113,6 +113,8 @@ static rw_patch patch_of_wedge(search *s)
     const double centred = half <= a ? half : a / rwedge_a_over_b(P / a);
     if (isnan(centred)) /* a/b is not in the domain */
         return NONE;
+    if (wanted == 0)
+        return (rw_patch){-centred, centred};
     /* rounding other than to the nearest takes a few steps */
     const double lo = far_left(s, -centred * (1 + 4 * DBL_EPSILON), 4 * DBL_EPSILON * centred);
     return search_patch(s, lo, a, DBL_EPSILON * centred / 4);

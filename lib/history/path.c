@@ -256,19 +256,20 @@ static rw_memory_loads loads_at(const rw_step *s, double t, double load, rw_patc
                              .stretch = end->stretch + t * (s->to.stretch - end->stretch)};
 }
 
-static station station_at(const rw_step *s, double t, int slip, const station *last)
+/* A later moment, whose front is not looked for yet. */
+static station station_at(const rw_step *s, double t, const station *last)
 {
-    station at = {.t = t, .contact = s->patch, .stuck = last->stuck};
-    rw_memory_loads loads = s->to;
-    if (t < 1) {
-        at.contact = patch_at(s, t);
-        loads = loads_at(s, t, s->from_P + t * (s->to_P - s->from_P), at.contact);
-    }
-    at.front = rw_memory_departure(s->memory, loads);
-    at.is_known = at.front.slip == slip && front_is_known(s, loads, at.contact, &at.front);
-    if (at.is_known)
-        at.stuck = at.front.corner.patch;
-    return at;
+    return (station){.t = t, .contact = t < 1 ? patch_at(s, t) : s->patch, .stuck = last->stuck};
+}
+
+static void find_front(const rw_step *s, int slip, station *at)
+{
+    const double P = s->from_P + at->t * (s->to_P - s->from_P);
+    const rw_memory_loads loads = at->t < 1 ? loads_at(s, at->t, P, at->contact) : s->to;
+    at->front = rw_memory_departure(s->memory, loads);
+    at->is_known = at->front.slip == slip && front_is_known(s, loads, at->contact, &at->front);
+    if (at->is_known)
+        at->stuck = at->front.corner.patch;
 }
 
 /* Whether the front stays in its layer of slope D, behind the edges of the contact: S (dT - D dN)
@@ -286,9 +287,8 @@ static bool stays_behind(const rw_step *s, const station *from, const station *t
                            tilt_tolerance(s, s->to));
 }
 
-/* The obstacle between two moments. */
-static rw_obstacle obstacle_between(const rw_step *s, int slip, const station *from,
-                                    const station *to)
+/* The obstacle between two moments, of which the front of the later one is found on the way. */
+static rw_obstacle obstacle_between(const rw_step *s, int slip, const station *from, station *to)
 {
     const rw_corner *end = rw_memory_end(s->memory);
     const rw_patch smaller = grows(s) ? from->contact : to->contact;
@@ -299,6 +299,7 @@ static rw_obstacle obstacle_between(const rw_step *s, int slip, const station *f
     const range tilt = {stretch - rate.most, stretch - rate.least};
     if (!adds_everywhere(rw_as_length(s->geometry, load), tilt, larger, tilt_tolerance(s, s->to)))
         return RW_SLIPS_BOTH_WAYS;
+    find_front(s, slip, to);
     if (grows(s) || rw_patch_is_nested(from->stuck, to->contact, s->to.tilt) ||
         stays_behind(s, from, to, rate))
         return RW_NO_OBSTACLE;
@@ -312,7 +313,7 @@ static rw_obstacle slipping_step(const rw_step *s, rw_departure *d)
     rw_obstacle obstacle = RW_NO_OBSTACLE;
     double length = 1;
     for (int i = 0; i < TRIES && from.t < 1; i++) {
-        const station to = station_at(s, fmin(1, from.t + length), d->slip, &from);
+        station to = station_at(s, fmin(1, from.t + length), &from);
         const rw_obstacle reason = obstacle_between(s, d->slip, &from, &to);
         if (reason == RW_NO_OBSTACLE)
             from = to;

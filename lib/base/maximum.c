@@ -117,11 +117,14 @@ static void approach(search *s, const point at[3], double highest)
     }
 }
 
-rw_maximum rw_top(rw_function f, const void *context, const rw_maximum at[3], double nearest,
-                  double highest)
+/* The top of a function around a place. `at` are three places in ascending order with the values
+ * there; the middle one is the highest, or as high as another, and may be the first or the last
+ * place too. A top that will not reach the value `highest` is given up. */
+static rw_maximum top_of(rw_function f, const void *context, const rw_maximum at[3], double highest)
 {
+    static const double NEAREST = 1e-8; /* of the distance of the places */
     const double length = at[2].x - at[0].x;
-    search s = {f, context, at[0].x, length, nearest, at[1]};
+    search s = {f, context, at[0].x, length, NEAREST, at[1]};
     if (length == 0)
         return at[1];
     point around[3];
@@ -153,7 +156,7 @@ static rw_maximum top_around(rw_function f, const void *context, size_t n, const
     const size_t before = i > 0 ? i - 1 : i, after = i + 1 < n ? i + 1 : i;
     const rw_maximum at[3] = {
         {place[before], value[before]}, {place[i], value[i]}, {place[after], value[after]}};
-    return rw_top(f, context, at, RW_NEAREST_TOP, highest);
+    return top_of(f, context, at, highest);
 }
 
 rw_maximum rw_largest_around(rw_function f, const void *context, size_t n, const double place[],

@@ -2,7 +2,6 @@
 #include "yield/climb.h"
 
 #include "base/domain.h"
-#include "base/maximum.h"
 #include "base/select.h"
 #include "stress/stress.h"
 
@@ -10,13 +9,11 @@
 
 enum { LINE = 7, CLIMB_MAX = 60 };
 
-/* Half-lengths of the line on which a climb looks for a higher place, in radians and ln r: FIRST,
- * and LATER where it goes on from a top. A rough climb, which only tells a top from others, goes
- * once from FIRST to ROUGH. */
-static const double FIRST_SPAN = 0.4, LATER_SPAN = 1e-4, ROUGH_SPAN = 1e-2;
-
-/* How near a search along a line comes to the top, in the same. The line after it comes nearer. */
-static const double NEAREST = 1e-6;
+/* Half-lengths of the line on which a climb looks for a higher place, in radians and ln r. It
+ * starts with FIRST, and with LATER where it goes on from a top. It ends at ROUGH when only the top
+ * must be told from others, and at LAST. Each is NARROWER than the one before. */
+static const double FIRST_SPAN = 0.4, LATER_SPAN = 1e-4, ROUGH_SPAN = 1e-2, LAST_SPAN = 1e-6,
+                    NARROWER = 1.0 / 16;
 
 /* The relative rise of J2 that counts as none. */
 static const double NO_GAIN = 4 * DBL_EPSILON;
@@ -78,87 +75,87 @@ static void look_at(rw_highest *s, rw_climb *c, int n, const rw_polar at[], doub
         }
 }
 
-/* A line of unit direction through a place. */
+/* A line of unit direction through a place, points on it around that place, and the middle one or a
+ * higher one. */
 typedef struct {
     rw_highest *highest;
     rw_climb *climb;
     rw_polar through, direction;
+    double span, J2[LINE];
+    int top;
 } line;
 
-static rw_polar place_on(const line *l, double t)
+/* The points are a step of 1 apart, the middle one is at 0. */
+static rw_polar place_on(const line *l, double at)
 {
+    const double t = at * 2 * l->span / (LINE + 1);
     return (rw_polar){l->through.angle + t * l->direction.angle,
                       l->through.log_radius + t * l->direction.log_radius};
 }
 
-static double J2_on(double t, const void *of_line)
-{
-    const line *l = of_line;
-    const rw_polar at = place_on(l, t);
-    double J2;
-    look_at(l->highest, l->climb, 1, &at, &J2);
-    return J2;
-}
-
-/* Looks at places around the middle of a line. Returns which is the highest; the middle if none is
- * higher. */
-static int look_around(const line *l, double span, rw_maximum at[LINE])
+static void look_around(line *l)
 {
     rw_polar place[LINE];
-    double J2[LINE];
-    int highest = LINE / 2;
-    for (int i = 0; i < LINE; i++) {
-        at[i].x = span * (2.0 * (i + 1) / (LINE + 1) - 1);
-        place[i] = place_on(l, at[i].x);
-    }
-    look_at(l->highest, l->climb, LINE, place, J2);
-    for (int i = 0; i < LINE; i++) {
-        at[i].value = J2[i];
-        highest = J2[i] > J2[highest] ? i : highest;
-    }
-    return highest;
+    for (int i = 0; i < LINE; i++)
+        place[i] = place_on(l, i - LINE / 2);
+    look_at(l->highest, l->climb, LINE, place, l->J2);
+    l->top = LINE / 2;
+    for (int i = 0; i < LINE; i++)
+        l->top = l->J2[i] > l->J2[l->top] ? i : l->top;
 }
 
-/* Moves to the highest place along a line, both ways. While the highest of its points is at an end,
- * the line goes on from there, twice as long. Nothing is higher beyond the limits of angle and
- * radius. */
-static void climb_along(rw_highest *s, rw_climb *c, double to_angle, double to_log_radius,
-                        double span, bool is_rough)
+/* While the highest point is at an end, the line goes on from there, twice as long. Nothing is
+ * higher beyond the limits of angle and radius. */
+static void look_farther(line *l)
 {
+    look_around(l);
+    while (l->top == 0 || l->top == LINE - 1) {
+        l->through = l->climb->top;
+        l->span *= 2;
+        look_around(l);
+    }
+}
+
+/* The top of a parabola through the highest point and its neighbours, at most half a step away. */
+static rw_polar top_of_parabola(const line *l)
+{
+    const double *J2 = l->J2 + l->top;
+    const double fall = (J2[0] - J2[-1]) + (J2[0] - J2[1]), lean = J2[1] - J2[-1];
+    return place_on(l, l->top - LINE / 2 + (fall > 0 ? lean / (2 * fall) : 0));
+}
+
+/* Moves to the highest place along a line, both ways. */
+static void climb_along(rw_highest *s, rw_climb *c, double to_angle, double to_log_radius,
+                        double span, double last_span)
+{
+    enum { MOST_TURNS = 30 }; /* a few are enough, but on a plateau */
     const double length = hypot(to_angle, to_log_radius);
     if (length == 0)
         return;
-    line l = {s, c, c->top, {to_angle / length, to_log_radius / length}};
-    rw_maximum at[LINE];
-    int highest = look_around(&l, span, at);
-    while (highest == 0 || highest == LINE - 1) {
-        l.through = c->top;
-        span *= 2;
-        highest = look_around(&l, span, at);
+    line l = {s, c, c->top, {to_angle / length, to_log_radius / length}, .span = span};
+    look_farther(&l);
+    for (int i = 0; i < MOST_TURNS && l.span > last_span; i++) {
+        l.through = top_of_parabola(&l);
+        l.span *= NARROWER;
+        look_farther(&l);
     }
-    for (; is_rough && span > ROUGH_SPAN; span *= 2.0 / (LINE + 1)) {
-        l.through = c->top;
-        highest = look_around(&l, span, at);
-    }
-    if (!is_rough)
-        rw_top(J2_on, &l, at + highest - 1, NEAREST / span, 0);
 }
 
 /* Two places that are each highest for their radius make a line, and the next climb goes along it
  * (Powell's conjugate direction). It is exact where J2 is quadratic. It follows the ridges of
  * narrow roundings, where J2 is flat to 1e-9. */
-static void climb_to(rw_highest *s, rw_climb *c, bool is_rough)
+static void climb_to(rw_highest *s, rw_climb *c, double last_span)
 {
     double span = FIRST_SPAN;
     for (int i = 0; i < CLIMB_MAX; i++) { /* a few are enough, but on a plateau */
         const double before = c->J2;
-        climb_along(s, c, 1, 0, span, is_rough);
+        climb_along(s, c, 1, 0, span, last_span);
         const rw_polar start = c->top;
-        climb_along(s, c, 0, 1, span, is_rough);
-        climb_along(s, c, 1, 0, span, is_rough);
+        climb_along(s, c, 0, 1, span, last_span);
+        climb_along(s, c, 1, 0, span, last_span);
         climb_along(s, c, c->top.angle - start.angle, c->top.log_radius - start.log_radius, span,
-                    is_rough);
-        if (is_rough || c->J2 - before <= NO_GAIN * before)
+                    last_span);
+        if (last_span == ROUGH_SPAN || c->J2 - before <= NO_GAIN * before)
             return;
         span = LATER_SPAN;
     }
@@ -186,21 +183,21 @@ static void climb_around_centre(rw_highest *s, double from_mark)
     if (!(r > 0 && r < from_mark / 5))
         return;
     rw_climb c = {0, 1e-3 * r, 1e3 * r, {atan2(s->y, s->x), log(r)}, s->J2, 0};
-    climb_to(s, &c, false);
+    climb_to(s, &c, LAST_SPAN);
 }
 
 /* Climbs roughly first. That is enough for a top that is lower than the highest, and for one that
  * was climbed already, from a mark about as near: a mark much farther away sees less detail. */
 static void climb_to_top(rw_highest *s, rw_climb *c)
 {
-    climb_to(s, c, true);
+    climb_to(s, c, ROUGH_SPAN);
     const double r = exp(c->top.log_radius);
     const double to_known =
         hypot(c->centre + r * cos(c->top.angle) - s->top_x, r * sin(c->top.angle) - s->top_y);
     if (c->J2 < (1 - ROUGHLY) * s->J2 || (to_known < ROUGHLY * r && s->top_radius < 2 * r))
         return;
     climb_ridge(s, c);
-    climb_to(s, c, false);
+    climb_to(s, c, LAST_SPAN);
     if (c->J2 >= s->J2) {
         climb_around_centre(s, exp(c->top.log_radius));
         s->top_x = s->x;

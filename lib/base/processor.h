@@ -5,6 +5,8 @@
 
 #include "base/select.h"
 
+#include <stddef.h>
+
 /* Defines a function NAME PARAMETERS, which does LOOP ARGUMENTS for the processor at hand: with
  * vectors of eight or four numbers where it has them. Every x86-64 has vectors of two. LOOP is
  * RW_INLINE. */
@@ -33,6 +35,14 @@
     {                                                                                              \
         LOOP ARGUMENTS;                                                                            \
     }
+#endif
+
+/* A short loop that is to become vector instructions. GCC would unroll it first, and then make them
+ * of a part of it alone. */
+#if defined(__GNUC__) && !defined(__clang__)
+#define RW_EACH(I, N) _Pragma("GCC unroll 1") for (size_t I = 0; I < (N); I++)
+#else
+#define RW_EACH(I, N) for (size_t I = 0; I < (N); I++)
 #endif
 
 #endif

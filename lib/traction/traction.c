@@ -24,19 +24,50 @@ static const double SHORTEST = 1e-8, ROUNDED = 64 * DBL_EPSILON;
 typedef struct {
     double node[RW_TERMS], weight[RW_TERMS];
     double legendre[RW_TERMS + 2][RW_TERMS]; /* [k][node] */
+    double at_node[RW_TERMS][RW_TERMS];      /* the same, [node][k] */
 } rule;
 
 static void make_rule(rule *r)
 {
     rw_gauss(RW_TERMS, r->node, r->weight);
     for (int i = 0; i < RW_TERMS; i++) {
-        const double v = 2 * r->node[i] - 1;
         r->legendre[0][i] = 1;
-        r->legendre[1][i] = v;
-        for (int k = 1; k < RW_TERMS + 1; k++)
-            r->legendre[k + 1][i] = RW_LEGENDRE_RISE[k] * v * r->legendre[k][i] -
-                                    RW_LEGENDRE_FALL[k - 1] * r->legendre[k - 1][i];
+        r->legendre[1][i] = 2 * r->node[i] - 1;
     }
+    for (int k = 1; k < RW_TERMS + 1; k++)
+        for (int i = 0; i < RW_TERMS; i++)
+            r->legendre[k + 1][i] = RW_LEGENDRE_RISE[k] * r->legendre[1][i] * r->legendre[k][i] -
+                                    RW_LEGENDRE_FALL[k - 1] * r->legendre[k - 1][i];
+    for (int i = 0; i < RW_TERMS; i++)
+        for (int k = 0; k < RW_TERMS; k++)
+            r->at_node[i][k] = r->legendre[k][i];
+}
+
+/* sum += the sum over i of factor_i row_i. */
+RW_INLINE void sum_rows(int n, const double factor[], const double row[][RW_TERMS],
+                        double sum[RW_TERMS])
+{
+    double all[RW_TERMS];
+    memcpy(all, sum, sizeof all);
+    for (int i = 0; i < n; i++)
+        RW_EACH (k, RW_TERMS)
+            all[k] += factor[i] * row[i][k];
+    memcpy(sum, all, sizeof all);
+}
+
+RW_DISPATCH(add_rows, sum_rows,
+            (int n, const double factor[], const double row[][RW_TERMS], double sum[RW_TERMS]),
+            (n, factor, row, sum))
+
+/* The coefficients of a function, from its values at the nodes. */
+static void find_coefficients(const rule *r, const double value[], double coefficient[])
+{
+    double share[RW_TERMS], sum[RW_TERMS] = {0};
+    for (int i = 0; i < RW_TERMS; i++)
+        share[i] = r->weight[i] * value[i];
+    add_rows(RW_TERMS, share, r->at_node, sum);
+    for (int k = 0; k < RW_TERMS; k++)
+        coefficient[k] = (2 * k + 1) * sum[k];
 }
 
 /* ---- An element ---- */
@@ -57,7 +88,7 @@ static void integrate(rw_element *e)
 {
     const double middle = (e->first + e->last) / 2, half = (e->last - e->first) / 2;
     double rate[RW_TERMS + 1] = {0};
-    for (int k = 0; k < RW_TERMS; k++) {
+    for (int k = 0; k < e->terms; k++) {
         const double c = e->coefficient[k] * 2 * fabs(e->scale) * half;
         rate[k] += middle * c;
         rate[k + 1] += half * c * (k + 1) / (2 * k + 1);
@@ -65,7 +96,7 @@ static void integrate(rw_element *e)
             rate[k - 1] += half * c * k / (2 * k + 1);
     }
     memset(e->primitive, 0, sizeof e->primitive);
-    for (int k = 0; k < RW_TERMS + 1; k++) {
+    for (int k = 0; k < e->terms + 1; k++) {
         e->primitive[k + 1] += rate[k] / (2 * k + 1);
         e->primitive[k > 0 ? k - 1 : 0] += (k > 0 ? -1 : 1) * rate[k] / (2 * k + 1);
     }
@@ -81,18 +112,15 @@ static void complete(rw_element *e, const rule *r)
     while (e->terms > 1 && e->coefficient[e->terms - 1] == 0)
         e->terms--;
     integrate(e);
+    double value[RW_TERMS] = {0}, primitive[RW_TERMS] = {0};
+    add_rows(e->terms, e->coefficient, r->legendre, value);
+    add_rows(e->terms + 2, e->primitive, r->legendre, primitive);
     for (int i = 0; i < RW_TERMS; i++) {
-        const double u = u_of(e, r->node[i]);
-        double value = 0, primitive = 0;
-        for (int k = 0; k < RW_TERMS; k++)
-            value += e->coefficient[k] * r->legendre[k][i];
-        for (int k = 0; k < RW_TERMS + 2; k++)
-            primitive += e->primitive[k] * r->legendre[k][i];
-        const double rate = 2 * fabs(e->scale) * u * du * r->weight[i];
+        const double u = u_of(e, r->node[i]), rate = 2 * fabs(e->scale) * u * du * r->weight[i];
         e->u[i] = u;
         e->x[i] = x_of(e, u);
-        e->load[i] = value * rate;
-        e->carried[i] = primitive * 2 * e->scale * u * du * r->weight[i];
+        e->load[i] = value[i] * rate;
+        e->carried[i] = primitive[i] * 2 * e->scale * u * du * r->weight[i];
     }
 }
 
@@ -117,15 +145,6 @@ bool rw_traction_append(rw_traction *t, const rw_element *e)
     return append(t, &whole);
 }
 
-/* The k-th coefficient of a function, from its values at the nodes. */
-static double coefficient_of(const rule *r, const double value[], int k)
-{
-    double sum = 0;
-    for (int i = 0; i < RW_TERMS; i++)
-        sum += r->weight[i] * value[i] * r->legendre[k][i];
-    return (2 * k + 1) * sum;
-}
-
 void rw_traction_raise(rw_traction *t, double from, double to, double mean)
 {
     enum { TERMS = 5 }; /* of a parabola of x */
@@ -138,11 +157,12 @@ void rw_traction_raise(rw_traction *t, double from, double to, double mean)
         const double middle = e->low / 2 + e->high / 2;
         if (!(middle > from && middle < to))
             continue;
-        double parabola[RW_TERMS];
+        double parabola[RW_TERMS], more[RW_TERMS];
         for (int k = 0; k < RW_TERMS; k++)
             parabola[k] = most * (e->x[k] - from) * (to - e->x[k]);
+        find_coefficients(&r, parabola, more);
         for (int k = 0; k < TERMS; k++)
-            e->coefficient[k] += coefficient_of(&r, parabola, k);
+            e->coefficient[k] += more[k];
         complete(e, &r);
     }
 }
@@ -179,8 +199,7 @@ static void expand(const fit *how, rw_element *e)
     for (int i = 0; i < RW_TERMS; i++)
         x[i] = x_of(e, u_of(e, how->rule.node[i]));
     how->f(x, how->context, value);
-    for (int k = 0; k < RW_TERMS; k++)
-        e->coefficient[k] = coefficient_of(&how->rule, value, k);
+    find_coefficients(&how->rule, value, e->coefficient);
 }
 
 /* The last coefficients, by size. */
@@ -245,30 +264,40 @@ bool rw_traction_fit(rw_traction *t, rw_values f, const void *context, size_t br
 /* ---- Reading ---- */
 
 /* Of an element at a block of places, by Clenshaw's recurrence, which takes two terms a turn:
- * compilers do not make vector instructions of one that moves b1 to b2. */
-enum { BLOCK = 8 };
+ * compilers do not make vector instructions of one that moves b1 to b2. The two halves of a block
+ * do not wait for each other. */
+enum { BLOCK = RW_TERMS };
 
-RW_INLINE void clenshaw(const rw_element *e, const double x[], double value[])
+RW_INLINE void clenshaw(const rw_element *e, size_t n, const double x[], double value[])
 {
     double v[BLOCK], b1[BLOCK] = {0}, b2[BLOCK] = {0};
-    for (int i = 0; i < BLOCK; i++) {
+    RW_EACH (i, n) {
         const double u = sqrt(rw_larger(0, (x[i] - e->end) / e->scale));
         v[i] = (2 * u - e->first - e->last) / (e->last - e->first);
     }
     for (int k = (e->terms - 1) | 1; k > 0; k -= 2) {
-        for (int i = 0; i < BLOCK; i++)
+        RW_EACH (i, n)
             b2[i] = e->coefficient[k] + RW_LEGENDRE_RISE[k] * v[i] * b1[i] -
                     RW_LEGENDRE_FALL[k] * b2[i];
-        for (int i = 0; i < BLOCK; i++)
+        RW_EACH (i, n)
             b1[i] = e->coefficient[k - 1] + RW_LEGENDRE_RISE[k - 1] * v[i] * b2[i] -
                     RW_LEGENDRE_FALL[k - 1] * b1[i];
     }
-    for (int i = 0; i < BLOCK; i++)
+    RW_EACH (i, n)
         value[i] = b1[i];
 }
 
-RW_DISPATCH(read_block, clenshaw, (const rw_element *e, const double x[], double value[]),
-            (e, x, value))
+RW_INLINE void clenshaw_of(const rw_element *e, bool is_half, const double x[], double value[])
+{
+    if (is_half)
+        clenshaw(e, BLOCK / 2, x, value);
+    else
+        clenshaw(e, BLOCK, x, value);
+}
+
+RW_DISPATCH(read_block, clenshaw_of,
+            (const rw_element *e, bool is_half, const double x[], double value[]),
+            (e, is_half, x, value))
 
 size_t rw_traction_index(const rw_traction *t, double x)
 {
@@ -300,20 +329,34 @@ static const rw_element *element_at(const rw_traction *t, double x)
     return x >= e->low && (x <= e->high || is_before_next) ? e : NULL;
 }
 
+/* Reads fewer places than a block has. */
+static void read_some(const rw_element *e, size_t count, const double x[], double value[])
+{
+    const bool is_half = count <= BLOCK / 2;
+    const size_t size = is_half ? BLOCK / 2 : BLOCK;
+    double place[BLOCK], there[BLOCK];
+    for (size_t i = 0; i < size; i++)
+        place[i] = x[i < count ? i : 0];
+    read_block(e, is_half, place, there);
+    for (size_t i = 0; i < count; i++)
+        value[i] = there[i];
+}
+
 void rw_traction_values(const rw_traction *t, size_t n, const double x[], double value[])
 {
-    for (size_t i = 0; i < n;) {
+    for (size_t i = 0, count; i < n; i += count) {
         const rw_element *e = element_at(t, x[i]);
-        double place[BLOCK], there[BLOCK] = {0};
-        size_t count = 0;
-        do
-            place[count++] = x[i++];
-        while (e && count < BLOCK && i < n && x[i] >= e->low && x[i] <= e->high);
-        for (size_t k = count; k < BLOCK; k++)
-            place[k] = place[0];
-        if (e)
-            read_block(e, place, there);
-        memcpy(value + i - count, there, count * sizeof *value);
+        count = 1;
+        if (!e) {
+            value[i] = 0;
+            continue;
+        }
+        while (count < BLOCK && i + count < n && x[i + count] >= e->low && x[i + count] <= e->high)
+            count++;
+        if (count == BLOCK || count == BLOCK / 2)
+            read_block(e, count < BLOCK, x + i, value + i);
+        else
+            read_some(e, count, x + i, value + i);
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "base/complex.h"
 #include "base/domain.h"
+#include "base/processor.h"
 #include "traction/clusters.h"
 #include "traction/legendre.h"
 
@@ -48,7 +49,7 @@ static rw_complex first_function(rw_complex v)
 }
 
 /* sum c_k Q_k(v) and its derivative, Q_k' = k (v Q_k - Q_(k-1))/(v^2 - 1). */
-static pole legendre_sum(int n, const double c[], rw_complex v)
+RW_INLINE pole legendre_sum(int n, const double c[], rw_complex v)
 {
     const rw_complex squared = rw_product(v, v);
     const rw_complex per =
@@ -70,7 +71,7 @@ static pole legendre_sum(int n, const double c[], rw_complex v)
 }
 
 /* By Gauss's rule; load_i is c(u_i) du_i times twice u_i and the size of the scale. */
-static pole gauss_sum(const rw_element *e, const double load[], double scale, rw_complex zeta)
+RW_INLINE pole gauss_sum(const rw_element *e, const double load[], double scale, rw_complex zeta)
 {
     pole sum = {{0, 0}, {0, 0}};
     for (int i = 0; i < RW_TERMS; i++) {
@@ -85,8 +86,8 @@ static pole gauss_sum(const rw_element *e, const double load[], double scale, rw
     return (pole){rw_multiple(share, sum.value), rw_multiple(share, sum.slope)};
 }
 
-static pole pole_of(const rw_element *e, int n, const double c[], const double load[], double scale,
-                    rw_complex zeta)
+RW_INLINE pole pole_of(const rw_element *e, int n, const double c[], const double load[],
+                       double scale, rw_complex zeta)
 {
     const double per_half = 2 / (e->last - e->first);
     const rw_complex v = {(zeta.re - e->first) * per_half - 1, zeta.im * per_half};
@@ -218,34 +219,91 @@ static rw_cluster all_of(const rw_traction *t)
     return (rw_cluster){.count = t->count};
 }
 
-/* The primitive is that of the load from `first` on. */
-static double element_potential(const rw_element *e, double x)
+/* The load of an element, by its primitive, which begins at `first`. */
+static double load_of(const rw_element *e)
 {
     double whole = 0;
-    for (int k = 0; k < RW_TERMS + 2; k++)
+    for (int k = 0; k < e->terms + 2; k++)
         whole += e->primitive[k];
+    return whole;
+}
+
+/* The potential of the load as if it were all at the end of the primitive. */
+RW_INLINE double potential_of_load(const rw_element *e, double load, double x)
+{
     const double end = e->scale > 0 ? e->high : e->low;
-    const double rest = is_far(e, x, 0)
-                            ? far_sum(e->x, e->carried, x)
-                            : poles_at(e, e->terms + 2, e->primitive, e->carried, e->scale, x);
-    return rest - whole * rw_log_of_quotient(fabs(end - x) + DBL_MIN, 1);
+    return load * rw_log_of_quotient(fabs(end - x) + DBL_MIN, 1);
+}
+
+/* Adds the potential of an element to which some places are near. */
+static void add_near(const rw_element *e, size_t n, const double x[], double sum[])
+{
+    const double load = load_of(e);
+    for (size_t i = 0; i < n; i++) {
+        const double rest = is_far(e, x[i], 0) ? far_sum(e->x, e->carried, x[i])
+                                               : poles_at(e, e->terms + 2, e->primitive, e->carried,
+                                                          e->scale, x[i]);
+        sum[i] += rest - potential_of_load(e, load, x[i]);
+    }
+}
+
+/* Adds that of an element from which all places are far: a division for every two of its nodes. */
+RW_INLINE void sum_far(const rw_element *e, double load, const double x[RW_TERMS],
+                       double sum[RW_TERMS])
+{
+    double all[RW_TERMS] = {0};
+    for (int k = 0; k < RW_TERMS; k += 2)
+        RW_EACH (i, RW_TERMS) {
+            const double d = e->x[k] - x[i], next = e->x[k + 1] - x[i];
+            all[i] += (e->carried[k] * next + e->carried[k + 1] * d) / (d * next);
+        }
+    RW_EACH (i, RW_TERMS)
+        sum[i] += all[i] - potential_of_load(e, load, x[i]);
+}
+
+RW_DISPATCH(add_far, sum_far,
+            (const rw_element *e, double load, const double x[RW_TERMS], double sum[RW_TERMS]),
+            (e, load, x, sum))
+
+/* Adds the potential of an element. */
+static void add_potential(const rw_element *e, size_t n, const double x[RW_TERMS],
+                          double sum[RW_TERMS])
+{
+    bool are_far = n > 1;
+    for (size_t i = 0; i < n && are_far; i++)
+        are_far = is_far(e, x[i], 0);
+    if (are_far)
+        add_far(e, load_of(e), x, sum);
+    else
+        add_near(e, n, x, sum);
+}
+
+void rw_traction_displacements(const rw_traction *t, size_t n, const double x[], double w[])
+{
+    const rw_cluster all = all_of(t), *c = t->cluster_count > 0 ? t->clusters : &all;
+    const rw_cluster *end = c + (t->cluster_count > 0 ? t->cluster_count : 1);
+    double at[RW_TERMS], near[RW_TERMS] = {0}, far[RW_TERMS] = {0};
+    for (size_t i = 0; i < RW_TERMS; i++)
+        at[i] = beside(t, x[i < n ? i : 0], WELL_BESIDE);
+    while (c < end) {
+        bool is_done = true;
+        for (size_t i = 0; i < n && is_done; i++)
+            is_done = rw_is_far(c, at[i], 0);
+        for (size_t i = 0; i < n && is_done; i++)
+            far[i] += rw_cluster_displacement(c, at[i]);
+        for (size_t i = 0; i < c->count && c->parts == 0 && !is_done; i++)
+            add_potential(&t->elements[c->first + i], n, at, near);
+        c += is_done ? 1 + c->parts : 1;
+    }
+    for (size_t i = 0; i < n; i++)
+        w[i] = near[i] / RW_PI + far[i];
 }
 
 double rw_traction_displacement(const rw_traction *t, double x)
 {
-    const double at = beside(t, x, WELL_BESIDE);
-    const rw_cluster all = all_of(t), *c = t->cluster_count > 0 ? t->clusters : &all;
-    const rw_cluster *end = c + (t->cluster_count > 0 ? t->cluster_count : 1);
-    double near = 0, far = 0;
-    while (c < end) {
-        const bool is_done = rw_is_far(c, at, 0);
-        if (is_done)
-            far += rw_cluster_displacement(c, at);
-        for (size_t i = 0; i < c->count && c->parts == 0 && !is_done; i++)
-            near += element_potential(&t->elements[c->first + i], at);
-        c += is_done ? 1 + c->parts : 1;
-    }
-    return near / RW_PI + far;
+    double w;
+    rw_traction_displacements(t, 1, &x, &w);
+    return w;
 }
 
 static pole far_transform(const rw_element *e, double x, double y)

@@ -103,15 +103,17 @@ double rw_dot(size_t n, const double x[], const double y[])
     return (s0 + s1) + (s2 + s3);
 }
 
+/* Column by column: a processor works at several rows at a time. */
 bool rw_cholesky(size_t n, double A[])
 {
-    for (size_t i = 0; i < n; i++) {
-        for (size_t j = 0; j < i; j++)
-            A[i * n + j] = (A[i * n + j] - rw_dot(j, A + i * n, A + j * n)) / A[j * n + j];
-        const double rest = A[i * n + i] - rw_dot(i, A + i * n, A + i * n);
+    for (size_t j = 0; j < n; j++) {
+        double *row = A + j * n;
+        const double rest = row[j] - rw_dot(j, row, row);
         if (!isgreater(rest, 0))
             return false;
-        A[i * n + i] = sqrt(rest);
+        row[j] = sqrt(rest);
+        for (size_t i = j + 1; i < n; i++)
+            A[i * n + j] = (A[i * n + j] - rw_dot(j, A + i * n, row)) / row[j];
     }
     return true;
 }

@@ -94,6 +94,20 @@ void rw_gauss(int n, double node[], double weight[])
     }
 }
 
+/* A row of angles takes one sine and one cosine, and a turn for each angle. */
+void rw_half_circle(int n, double node[], double weight[])
+{
+    const double step = RW_PI / n, turn_re = cos(step), turn_im = sin(step);
+    double re = cos(step / 2), im = sin(step / 2);
+    for (int i = 0; i < n; i++) {
+        const double before = re;
+        node[i] = (1 - re) / 2;
+        weight[i] = step / 2 * im;
+        re = re * turn_re - im * turn_im;
+        im = before * turn_im + im * turn_re;
+    }
+}
+
 double rw_integral(rw_function f, const void *context, double lo, double hi)
 {
     const double middle = lo + (hi - lo) / 2, half = (hi - lo) / 2;

@@ -9,14 +9,13 @@
 
 /* An error while the load is small counts less at the end of the step: by the ratio of the peak
  * pressures. */
-static int32_t advance_part(rw_numerical *n, const rw_frame *frame, rw_scaled_loads at,
-                            rw_patch contact, double last_peak, int *effort)
+static int32_t advance_part(rw_numerical *n, const rw_frame *frame, rw_scaled_loads at, double peak,
+                            double last_peak, int *effort)
 {
-    const double peak = rw_peak_friction(frame, contact);
     const double times = fmax(1, last_peak / peak);
     rw_frame loose = rw_frame_like(frame, fmin(RW_LOOSEST, frame->tolerance * times));
     loose.far_off = frame->far_off * times;
-    rw_numerical_rescale(n, rw_peak_friction(frame, n->now.contact) / peak);
+    rw_numerical_rescale(n, rw_peak_of(frame, &n->now) / peak);
     return rw_numerical_step(n, &loose, at, effort);
 }
 
@@ -46,10 +45,11 @@ static int32_t advance(rw_numerical *n, const rw_frame *frame, rw_scaled_loads t
         const double fold = i < parts ? (P - from.P) / (to.P - from.P) : 1;
         done = rw_stop_before(&turns, done, fold);
         const rw_scaled_loads at = done < 1 ? rw_part_of_line(from, to, done) : to;
-        const rw_patch there = done < 1 ? rw_patch_of_loads(frame, at) : contact;
+        const double peak =
+            done < 1 ? rw_peak_friction(frame, rw_patch_of_loads(frame, at)) : last_peak;
         int share = effort / (parts - i + 1 + (done < fold));
         effort -= share;
-        status = advance_part(n, frame, at, there, last_peak, &share);
+        status = advance_part(n, frame, at, peak, last_peak, &share);
         effort += share;
         i += done == fold;
     }
@@ -123,8 +123,7 @@ static bool is_on_line_from_touching(const rwedge_contact *c, const rw_numerical
 /* What a load adds to the error, which counts by the peak pressure after it. */
 static double added(const rw_frame *frame, const rw_numerical *from, const rw_numerical *next)
 {
-    const double before = rw_peak_friction(frame, from->now.contact),
-                 after = rw_peak_friction(frame, next->now.contact);
+    const double before = rw_peak_of(frame, &from->now), after = rw_peak_of(frame, &next->now);
     return rw_numerical_error(next) - rw_numerical_error(from) * before / after;
 }
 
@@ -176,7 +175,7 @@ static double stray(const rwedge_contact *c, const rw_step *step)
     const double part = square > 0 ? fmax(0, fmin(1, product / square)) : 0;
     for (int i = 0; i < LOADS; i++)
         apart += fabs(last[i] - part * next[i]);
-    return c->computed.strayed + apart / rw_peak_friction(&frame, c->computed.now->now.contact);
+    return c->computed.strayed + apart / rw_peak_of(&frame, &c->computed.now->now);
 }
 
 /* What has been dissipated, of that of a computed shear. */

@@ -105,6 +105,19 @@ size_t rw_breaks_of(const rw_frame *frame, rw_patch contact, int kinks, const do
 
 /* ---- Friction ---- */
 
+void rw_exact_frictions(const rw_frame *frame, rw_patch contact, size_t n, const double x[],
+                        double F[])
+{
+    static const double surface[RW_TERMS] = {0};
+    for (size_t first = 0; first < n; first += RW_TERMS) {
+        const size_t count = n - first < RW_TERMS ? n - first : RW_TERMS;
+        rw_fields fields;
+        rw_pad_fields(&frame->arcs, contact, (int)count, x + first, surface, &fields);
+        for (size_t i = 0; i < count; i++)
+            F[first + i] = -frame->f * fields.G_im[i];
+    }
+}
+
 double rw_exact_friction(const rw_frame *frame, rw_patch contact, double x)
 {
     double pressure;
@@ -115,13 +128,13 @@ double rw_exact_friction(const rw_frame *frame, rw_patch contact, double x)
 double rw_peak_friction(const rw_frame *frame, rw_patch contact)
 {
     enum { PLACES = 31 };
-    double x[PLACES], p[PLACES], peak = 0;
+    double x[PLACES], F[PLACES], peak = 0;
     for (int i = 0; i < PLACES; i++)
         x[i] = contact.left + (contact.right - contact.left) * (i + 1.3) / 32.6;
-    rw_pad_pressures(&frame->arcs, contact, PLACES, x, p);
+    rw_exact_frictions(frame, contact, PLACES, x, F);
     for (int i = 0; i < PLACES; i++)
-        peak = fmax(peak, p[i]);
-    return frame->f * peak;
+        peak = fmax(peak, F[i]);
+    return peak;
 }
 
 typedef struct {

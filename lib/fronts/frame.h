@@ -37,7 +37,9 @@ int rw_bends_between(const rw_frame *frame, double from, double to, double at[])
 size_t rw_breaks_of(const rw_frame *frame, rw_patch contact, int kinks, const double kink[],
                     double at[]);
 
-/* f times the pressure at a place, in theta/A, and its peak. */
+/* f times the pressure, in theta/A: at n places, at one, and its peak. */
+void rw_exact_frictions(const rw_frame *frame, rw_patch contact, size_t n, const double x[],
+                        double F[]);
 double rw_exact_friction(const rw_frame *frame, rw_patch contact, double x);
 double rw_peak_friction(const rw_frame *frame, rw_patch contact);
 

@@ -9,8 +9,8 @@
 
 #include <string.h>
 
-/* Chebyshev points on a gap, and terms of X there. */
-enum { GAP_POINTS = 40, GAP_TERMS = 48 };
+/* Terms of X on a gap, and points there: at most. */
+enum { GAP_TERMS = 48, GAP_POINTS = 40 };
 
 /* An edge that moves by less than this part of the half-width has the same D before and after. */
 static const double LEAST_GROWTH = 1e-6;
@@ -93,13 +93,13 @@ rw_layers rw_fronts_zones(const rw_fronts *f, rw_zones *zones)
 
 /* ---- The polynomial ---- */
 
-/* How many terms the series of a gap has at most. It falls by rho from term to term, the faster the
+/* How many terms the series of a gap takes. It falls by rho from term to term, the faster the
  * further the zones beside the gap reach. */
-static int most_terms(const rw_stuck *s, int gap, double middle, double half, double least)
+static double terms_of(const rw_stuck *s, int gap, double middle, double half, double least)
 {
     const double reach = fmin(middle - s->end[2 * gap], s->end[2 * gap + 3] - middle) / half;
     const double rho = fmax(1.001, reach + sqrt(fmax(0, reach * reach - 1))); /* log(1) is 0 */
-    return (int)fmax(4, fmin(GAP_TERMS, 1 - log(least) / log(rho)));
+    return fmax(4, 1 - log(least) / log(rho));
 }
 
 /* A row of angles takes one sine and one cosine, and a product for each angle. */
@@ -113,20 +113,24 @@ static rw_complex direction_of(double angle)
 static int expand_gap(const rw_stuck *s, int gap, double least, double middle, double half,
                       double c[])
 {
-    double sampled[GAP_TERMS], sine[2 * (GAP_TERMS + 1)], most = 0;
+    double sampled[GAP_TERMS], sine[2 * (GAP_TERMS + 1)], most = 0, x[GAP_TERMS], X[GAP_TERMS];
     int terms = 1;
-    const int n = most_terms(s, gap, middle, half, least), turn = 2 * (n + 1);
+    const int n = (int)fmin(GAP_TERMS, terms_of(s, gap, middle, half, least)), turn = 2 * (n + 1);
     const rw_complex step = direction_of(2 * RW_PI / turn);
     rw_complex at_point = {1, 0};
     for (int i = 0; i < turn; i++, at_point = rw_product(at_point, step)) {
         sine[i] = at_point.im;
         if (i > 0 && i <= n)
-            sampled[i - 1] = 4.0 / turn / half * rw_X_at(s, middle + half * at_point.re);
+            x[i - 1] = middle + half * at_point.re;
     }
-    for (int k = 0; k < n; k++) {
-        c[k] = 0;
-        for (int i = 0, at = k + 1; i < n; i++, at += at + k + 1 < turn ? k + 1 : k + 1 - turn)
-            c[k] += sampled[i] * sine[at];
+    rw_X_values(s, (size_t)n, x, X);
+    for (int i = 0; i < n; i++)
+        sampled[i] = 4.0 / turn / half * X[i];
+    for (int k = 0; k < n; k++) { /* sines are even or odd about the middle of the gap */
+        const int way = k % 2 == 0 ? 1 : -1;
+        c[k] = n % 2 > 0 ? sampled[n / 2] * sine[(k + 1) * (n / 2 + 1) % turn] : 0;
+        for (int i = 0, at = k + 1; i < n / 2; i++, at += at + k + 1 < turn ? k + 1 : k + 1 - turn)
+            c[k] += (sampled[i] + way * sampled[n - 1 - i]) * sine[at];
         most = fmax(most, fabs(c[k]));
     }
     for (int k = 0; k < n; k++)
@@ -195,7 +199,7 @@ static void expand_at_infinity(int n, int count, const double c[], double power,
     for (int i = 0; i < n; i++)
         series[i] = i == 0;
     for (int j = 0; j < count; j++) {
-        double factor[RW_MOST_FRONTS + 1] = {1}, product[RW_MOST_FRONTS + 1];
+        double factor[RW_MOST_STICK + 1] = {1}, product[RW_MOST_STICK + 1];
         for (int k = 1; k < n; k++)
             factor[k] = factor[k - 1] * c[j] * (k - 1 - power) / k;
         for (int i = 0; i < n; i++) {
@@ -208,15 +212,31 @@ static void expand_at_infinity(int n, int count, const double c[], double power,
 }
 
 /* The moments of dt/X over the slip zones, in powers of the place. */
-static void add_moments(const rw_fronts *f, const rw_stuck *s, double moment[])
+RW_INLINE void sum_moments(const rw_fronts *f, const rw_stuck *s, double moment[])
 {
-    for (size_t i = 0; i < f->count; i++) {
-        const double at = (f->x[i] - s->middle) / s->half;
-        double power = f->step[i] * f->change[i] / f->X[i] / s->half;
-        for (int j = 0; j <= s->count; j++, power *= at)
-            moment[j] += power;
+    const double per_half = 1 / s->half;
+    double sum[RW_MOST_STICK + 1][LANES] = {{0}};
+    for (size_t first = 0; first < f->count; first += LANES) {
+        double at[LANES], power[LANES];
+        RW_EACH (i, LANES) {
+            at[i] = (f->x[first + i] - s->middle) * per_half;
+            power[i] = f->step[first + i] * f->change[first + i] / f->X[first + i] * per_half;
+        }
+        for (int j = 0; j <= s->count; j++)
+            RW_EACH (i, LANES) {
+                sum[j][i] += power[i];
+                power[i] *= at[i];
+            }
+    }
+    for (int j = 0; j <= s->count; j++) {
+        moment[j] = 0;
+        for (size_t i = 0; i < LANES; i++)
+            moment[j] += sum[j][i];
     }
 }
+
+RW_DISPATCH(set_moments, sum_moments, (const rw_fronts *f, const rw_stuck *s, double moment[]),
+            (f, s, moment))
 
 /* At infinity Omega + stretch is the stretch less the load over pi z: a row of A p = B for each
  * power of z from m - 1 to -1. */
@@ -225,10 +245,10 @@ static void conditions_at_infinity(const rw_fronts *f, const rw_stuck *s, double
     const int m = s->count, n = 2 * m;
     double shear, stretch;
     rw_beside_layers(f->problem, &f->layers, &shear, &stretch);
-    double moment[RW_MOST_STICK + 1] = {0}, grown[RW_MOST_FRONTS + 1], shrunk[RW_MOST_FRONTS + 1];
-    add_moments(f, s, moment);
-    expand_at_infinity(n + 1, n, s->front, 0.5, grown);
-    expand_at_infinity(n + 1, n, s->front, -0.5, shrunk);
+    double moment[RW_MOST_STICK + 1], grown[RW_MOST_STICK + 1], shrunk[RW_MOST_STICK + 1];
+    set_moments(f, s, moment);
+    expand_at_infinity(m + 1, n, s->front, 0.5, grown);
+    expand_at_infinity(m + 1, n, s->front, -0.5, shrunk);
     for (int row = 0; row <= m; row++) {
         const int power = m - 1 - row;
         for (int i = m + power; i < n; i++)
@@ -243,15 +263,21 @@ static void conditions_at_infinity(const rw_fronts *f, const rw_stuck *s, double
 static void conditions_of_gaps(const rw_fronts *f, const rw_stuck *s, double A[], double B[])
 {
     const int m = s->count, n = 2 * m;
+    const double least = RW_LEAST_TERM * f->problem->frame->tolerance;
     for (int k = 0; k + 1 < m; k++) {
         const double a = s->end[2 * k + 1], b = s->end[2 * k + 2], half = (b - a) / 2;
-        double *row = A + (m + 1 + k) * n;
-        const rw_complex step = direction_of(RW_PI / GAP_POINTS);
-        rw_complex point = direction_of(RW_HALF_PI / GAP_POINTS);
-        for (int i = 0; i < GAP_POINTS; i++, point = rw_product(point, step)) {
-            const double x = (a + b) / 2 + half * point.re;
-            const double at = (x - s->middle) / s->half;
-            double share = sqrt((x - a) * (b - x)) / rw_X_at(s, x) * RW_PI / GAP_POINTS / half;
+        /* a rule takes in twice as many terms as it has points, those of the powers too */
+        const double terms = n + terms_of(s, k, (a + b) / 2, half, least);
+        const int points = (int)fmin(GAP_POINTS, terms / 2 + 1);
+        const rw_complex step = direction_of(RW_PI / points);
+        rw_complex point = direction_of(RW_HALF_PI / points);
+        double x[GAP_POINTS], X[GAP_POINTS], *row = A + (m + 1 + k) * n;
+        for (int i = 0; i < points; i++, point = rw_product(point, step))
+            x[i] = (a + b) / 2 + half * point.re;
+        rw_X_values(s, (size_t)points, x, X);
+        for (int i = 0; i < points; i++) {
+            const double at = (x[i] - s->middle) / s->half;
+            double share = sqrt((x[i] - a) * (b - x[i])) / X[i] * RW_PI / points / half;
             for (int j = 0; j < n; j++, share *= at)
                 row[j] += share;
         }
@@ -327,9 +353,9 @@ RW_INLINE void sum_poles(size_t n, const double s[], const double change[], doub
 {
     double part[LANES / 2] = {0};
     for (size_t i = 0; i < n; i += LANES)
-        for (size_t k = i; k < i + LANES / 2; k++) {
-            const double d = s[k] - x, next = s[k + LANES / 2] - x;
-            part[k - i] += (change[k] * next + change[k + LANES / 2] * d) / (d * next);
+        RW_EACH (k, LANES / 2) {
+            const double d = s[i + k] - x, next = s[i + k + LANES / 2] - x;
+            part[k] += (change[i + k] * next + change[i + k + LANES / 2] * d) / (d * next);
         }
     *sum += (part[0] + part[1]) + (part[2] + part[3]);
 }
@@ -367,9 +393,12 @@ double rw_fronts_transform(const rw_fronts *f, double x)
 void rw_fronts_stick_traction(const rw_fronts *f, const rw_stuck *s, size_t n, const double x[],
                               double t[])
 {
+    double lack[RW_TERMS], X[RW_TERMS];
     rw_base_traction(f->problem, &f->layers, n, x, t);
+    rw_fronts_lack(f, s, n, x, lack);
+    rw_X_values(s, n, x, X);
     for (size_t i = 0; i < n; i++)
-        t[i] += (rw_fronts_transform(f, x[i]) + rw_fronts_lack(f, s, x[i])) * rw_X_at(s, x[i]);
+        t[i] += (rw_fronts_transform(f, x[i]) + lack[i]) * X[i];
 }
 
 /* The segments around x that follow one another without a gap; without points where there is
@@ -395,19 +424,19 @@ static rw_segment around(const rw_fronts *f, double x)
 void rw_fronts_slope(const rw_fronts *f, const rw_stuck *s, int label, size_t n, const double x[],
                      double slope[])
 {
-    double F[RW_TERMS], base[RW_TERMS];
+    double F[RW_TERMS], base[RW_TERMS], X[RW_TERMS];
+    rw_X_values(s, n, x, X);
     rw_friction_after(f->problem, n, x, F);
     rw_base_traction(f->problem, &f->layers, n, x, base);
     for (size_t i = 0; i < n; i++) {
         const rw_segment here = around(f, x[i]);
         const size_t from = here.first, to = from + here.count;
-        const double X = rw_X_at(s, x[i]);
-        const double level = here.count > 0 ? (label * F[i] - base[i]) / X / RW_PI : 0;
+        const double level = here.count > 0 ? (label * F[i] - base[i]) / X[i] / RW_PI : 0;
         double sum = level != 0 ? level * log((here.to - x[i]) / (x[i] - here.from)) : 0;
         add_poles(from, f->x, f->change, x[i], &sum);
         add_level_poles(here.count, f->x + from, f->change + from, f->step + from, level, x[i],
                         &sum);
         add_poles(f->count - to, f->x + to, f->change + to, x[i], &sum);
-        slope[i] = X * sum;
+        slope[i] = X[i] * sum;
     }
 }

@@ -61,7 +61,8 @@ typedef struct {
 
 rw_stuck rw_stuck_of(const rw_fronts *fronts, const rw_zones *zones);
 
-/* X outside of what sticks, over half^count; inside, X over i. */
+/* X outside of what sticks, over half^count; inside, X over i: at n places, at one. */
+void rw_X_values(const rw_stuck *stuck, size_t n, const double x[], double X[]);
 double rw_X_at(const rw_stuck *stuck, double x);
 
 /* Sets up the quadrature over all places where dt is known, with this number of panels at a
@@ -115,9 +116,10 @@ void rw_fronts_prepare(rw_fronts *fronts);
 /* (1/pi) int_slip [dt/X] ds/(s - x), where dt is 0 at x. */
 double rw_fronts_transform(const rw_fronts *fronts, double x);
 
-/* What that sum over points lacks of the integral where x sticks next to a front: the points there
- * are apart by more than x is from the front. */
-double rw_fronts_lack(const rw_fronts *fronts, const rw_stuck *stuck, double x);
+/* At n <= RW_TERMS places: what that sum over points lacks of the integral where x sticks next to a
+ * front: the points there are apart by more than x is from the front. */
+void rw_fronts_lack(const rw_fronts *fronts, const rw_stuck *stuck, size_t n, const double x[],
+                    double lack[]);
 
 /* At n <= RW_TERMS places of one zone: the traction after the step where it sticks, and w' less the
  * part of the layers where it slips, for p = 0. */

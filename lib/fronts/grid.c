@@ -14,6 +14,7 @@
 
 #include "base/domain.h"
 #include "base/linear.h"
+#include "base/processor.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -27,6 +28,7 @@ static const double NOTHING = 1e-12;
 bool rw_grid_init(rw_grid *g, int n)
 {
     double wave[2 * RW_MOST_ANGLES], cosine[2 * RW_MOST_ANGLES]; /* for i - j and i + j + 1 */
+    double per[RW_MOST_ANGLES];
     const size_t places = (size_t)n * (size_t)n;
     g->n = 0;
     g->matrix = malloc(2 * places * sizeof *g->matrix);
@@ -36,10 +38,12 @@ bool rw_grid_init(rw_grid *g, int n)
     g->n = n;
     for (int i = 0; i < 2 * n; i++)
         cosine[i] = cos(RW_PI * i / n);
+    for (int k = 1; k < n; k++)
+        per[k] = 1.0 / k;
     for (int d = 0; d <= n; d++) {
         wave[d] = 0;
         for (int k = 1, turn = d; k < n; k++, turn += turn + d < 2 * n ? d : d - 2 * n)
-            wave[d] += cosine[turn] / k;
+            wave[d] += cosine[turn] * per[k];
         wave[(2 * n - d) % (2 * n)] = wave[d];
     }
     for (int i = 0; i < n; i++)
@@ -103,13 +107,16 @@ static double sum_of(int n, const double v[])
     return sum;
 }
 
-static void multiply(const rw_grid *g, const double v[], double product[])
+/* What the changes of places that stick, or of all others, add to the moves. */
+RW_INLINE void add_columns(rw_grid *g, bool sticks)
 {
-    memset(product, 0, (size_t)g->n * sizeof *product);
     for (int j = 0; j < g->n; j++)
-        for (int i = 0; i < g->n; i++)
-            product[i] += g->matrix[j * g->n + i] * v[j];
+        if ((g->label[j] == 0) == sticks)
+            for (int i = 0; i < g->n; i++)
+                g->move[i] += g->matrix[j * g->n + i] * g->change[j];
 }
+
+RW_DISPATCH(add_moves, add_columns, (rw_grid * g, bool sticks), (g, sticks))
 
 /* The change of places that slip is at its bound; that of places that stick is set to 0 first. */
 static void set_bounds(rw_grid *g)
@@ -122,37 +129,36 @@ static void set_bounds(rw_grid *g)
 }
 
 /* Solves for the places that stick: they move by lambda, and the sum of all changes carries the
- * load. */
+ * load. The moves are those by the changes. */
 static bool solve_stuck(rw_grid *g, double load)
 {
     const int n = g->n;
     size_t count = 0;
-    double right[RW_MOST_ANGLES], unit[RW_MOST_ANGLES], *row = g->factor;
+    int place[RW_MOST_ANGLES]; /* those that stick */
+    double right[RW_MOST_ANGLES], unit[RW_MOST_ANGLES];
     set_bounds(g);
-    multiply(g, g->change, g->move);
+    memset(g->move, 0, (size_t)n * sizeof *g->move);
+    add_moves(g, false);
     for (int i = 0; i < n; i++) {
         if (g->label[i] != 0)
             continue;
         right[count] = -g->strain[i] - g->move[i];
-        unit[count++] = 1;
+        unit[count] = 1;
+        place[count++] = i;
     }
     if (count == 0)
         return false;
-    for (int i = 0; i < n; i++)
-        for (int j = 0; g->label[i] == 0 && j < n; j++)
-            if (g->label[j] == 0)
-                *row++ = g->matrix[i * n + j];
+    for (size_t i = 0; i < count; i++)
+        for (size_t j = 0; j <= i; j++)
+            g->factor[i * count + j] = g->matrix[place[i] * n + place[j]];
     rw_cholesky(count, g->factor); /* positive: tractions do work */
     rw_cholesky_solve(count, g->factor, right);
     rw_cholesky_solve(count, g->factor, unit);
     g->multiplier = (load * n / RW_PI - sum_of(n, g->change) - sum_of((int)count, right)) /
                     sum_of((int)count, unit);
-    count = 0;
-    for (int i = 0; i < n; i++)
-        if (g->label[i] == 0) {
-            g->change[i] = right[count] + g->multiplier * unit[count];
-            count++;
-        }
+    for (size_t i = 0; i < count; i++)
+        g->change[place[i]] = right[i] + g->multiplier * unit[i];
+    add_moves(g, true);
     return true;
 }
 
@@ -174,7 +180,6 @@ static bool settle(rw_grid *g, double scale)
     const double nothing = NOTHING * scale;
     int stuck = 0, last = 0;
     bool is_settled = true;
-    multiply(g, g->change, g->move);
     for (int i = 0; i < g->n; i++) {
         g->move[i] += g->strain[i] - g->multiplier;
         const int before = g->label[i];

@@ -129,6 +129,11 @@ RW_DISPATCH(set_X, products, (const rw_stuck *s, size_t n, const double x[], dou
             (s, n, x, X))
 
 /* Inside, too, each zone beyond a place changes the sign. */
+void rw_X_values(const rw_stuck *s, size_t n, const double x[], double X[])
+{
+    set_X(s, n, x, X);
+}
+
 double rw_X_at(const rw_stuck *s, double x)
 {
     double X;
@@ -140,7 +145,7 @@ static double nearest_end(const rw_stuck *s, double x)
 {
     double nearest = HUGE_VAL;
     for (int i = 0; i < 2 * s->count; i++)
-        nearest = fmin(nearest, fabs(x - s->end[i]));
+        nearest = rw_smaller(nearest, fabs(x - s->end[i]));
     return nearest;
 }
 
@@ -153,31 +158,39 @@ static void add_layers(rw_fronts *f)
 }
 
 /* A panel at the distances from `near` to `far` of an end, which is left or right: points with
- * their weights, the change dt there without the layers, and the change by each layer. */
+ * their weights. */
 static void put_panel(rw_fronts *f, const rw_segment *s, int side, double near, double far)
 {
-    const rw_problem *p = f->problem;
     const size_t n = (size_t)f->order;
-    double *x = f->x + f->count, *known = f->known + f->count, old[RW_TERMS];
     for (size_t i = 0; i < n; i++) {
         const double distance = near + (far - near) * f->node[i];
-        x[i] = side == 0 ? s->from + distance : s->to - distance;
+        f->x[f->count + i] = side == 0 ? s->from + distance : s->to - distance;
         f->step[f->count + i] = (far - near) * f->weight[i];
-        known[i] = 0;
     }
-    if (s->label != 0 || f->layers.count > 0)
-        rw_friction_after(p, n, x, known);
-    rw_layer_values(p, f->layers.count, n, x, known, f->capacity, f->layer[0] + f->count);
-    rw_traction_values(&p->old->traction, n, x, old);
-    for (size_t i = 0; i < n; i++)
-        known[i] = s->label * known[i] - old[i];
     f->count += n;
+}
+
+/* Sets the change dt without the layers, and by each layer, at the points of a segment. */
+static void put_changes(rw_fronts *f, const rw_segment *s)
+{
+    const rw_problem *p = f->problem;
+    const double *x = f->x + s->first;
+    double *known = f->known + s->first, *old = f->X + s->first; /* X is set later */
+    if (s->label != 0 || f->layers.count > 0)
+        rw_friction_after(p, s->count, x, known);
+    rw_layer_values(p, f->layers.count, s->count, x, known, f->capacity, f->layer[0] + s->first);
+    rw_traction_values(&p->old->traction, s->count, x, old);
+    for (size_t i = 0; i < s->count; i++)
+        known[i] = s->label == 0 ? -old[i] : s->label * known[i] - old[i];
 }
 
 /* The width of the panel at an end. */
 static double last_panel(const rw_segment *s, int side)
 {
-    return (s->to - s->from) / 2 * pow(RW_PANEL_RATIO, s->panels[side]);
+    double width = (s->to - s->from) / 2;
+    for (int i = 0; i < s->panels[side]; i++)
+        width *= RW_PANEL_RATIO;
+    return width;
 }
 
 static void put_half(rw_fronts *f, const rw_segment *s, int side)
@@ -202,6 +215,7 @@ static void put_segment(rw_fronts *f, rw_segment *s)
     put_half(f, s, 0);
     put_half(f, s, 1);
     s->count = f->count - s->first;
+    put_changes(f, s);
 }
 
 /* Where no front is near: dt is like a root at edges of the contact, old and new, and at kinks
@@ -215,10 +229,10 @@ static double next_break(const rw_problem *p, double end, int way)
     double next = HUGE_VAL;
     for (int i = 0; i < 4; i++)
         if (way * (edge[i] - end) > 0)
-            next = fmin(next, fabs(edge[i] - end));
+            next = rw_smaller(next, fabs(edge[i] - end));
     for (int i = 0; i < p->old->kinks; i++)
         if (way * (p->old->kink[i] - end) > 0)
-            next = fmin(next, fabs(p->old->kink[i] - end));
+            next = rw_smaller(next, fabs(p->old->kink[i] - end));
     return next;
 }
 
@@ -337,33 +351,81 @@ void rw_fronts_collect(rw_fronts *f, const rw_zones *zones, const rw_layers *lay
 
 /* ---- Next to a front ---- */
 
+/* The sum over j of share_j/(distance_j + away) at n places. */
+RW_INLINE void sum_shares(int n, const double share[], const double distance[],
+                          const double away[RW_TERMS], double sum[RW_TERMS])
+{
+    double all[RW_TERMS] = {0};
+    for (int j = 0; j < n; j++)
+        RW_EACH (i, RW_TERMS)
+            all[i] += share[j] / (distance[j] + away[i]);
+    memcpy(sum, all, sizeof all);
+}
+
+RW_DISPATCH(set_shares, sum_shares,
+            (int n, const double share[], const double distance[], const double away[RW_TERMS],
+             double sum[RW_TERMS]),
+            (n, share, distance, away, sum))
+
 /* At the end of a segment dt/X is level/sqrt(distance). Of such a function the integral over the
  * last panel is known. */
-static double lack_at_end(const rw_fronts *f, const rw_segment *s, int side, double x)
+static void lack_at_end(const rw_fronts *f, const rw_segment *s, int side, size_t n,
+                        const double x[], double lack[RW_TERMS])
 {
     const size_t first = s->first + (size_t)(side ? (s->panels[0] + 1) * f->order : 0);
     const double end = side ? s->to : s->from, least = AT_FRONT * f->problem->half;
-    const double away = fmax(fabs(x - end), least);
-    double level = 0, lack = 2 / sqrt(away) * atan(sqrt(last_panel(s, side) / away));
-    for (size_t i = first + (size_t)f->order; i-- > first;) {
-        const double distance = fmax(fabs(f->x[i] - end), least);
-        level = f->change[i] / f->step[i] * sqrt(distance);
-        lack -= f->step[i] / (sqrt(distance) * (distance + away));
+    const double width = last_panel(s, side);
+    double distance[RW_TERMS], share[RW_TERMS], away[RW_TERMS];
+    for (int j = 0; j < f->order; j++) {
+        distance[j] = fmax(fabs(f->x[first + (size_t)j] - end), least);
+        share[j] = f->step[first + (size_t)j] / sqrt(distance[j]);
     }
-    return level * lack;
+    for (size_t i = 0; i < RW_TERMS; i++)
+        away[i] = i < n ? fmax(fabs(x[i] - end), least) : 1;
+    set_shares(f->order, share, distance, away, lack);
+    const double level = f->change[first] / f->step[first] * sqrt(distance[0]);
+    for (size_t i = 0; i < n; i++)
+        lack[i] = level * (2 / sqrt(away[i]) * atan(sqrt(width / away[i])) - lack[i]);
 }
 
-double rw_fronts_lack(const rw_fronts *f, const rw_stuck *s, double x)
+/* The zone that sticks at x, or the next one. */
+static int zone_at(const rw_stuck *s, double x)
 {
-    int left = 0; /* the left end of the zone that has x */
-    double lack = 0;
-    while (left + 2 < 2 * s->count && x > s->end[left + 1])
-        left += 2;
-    for (int i = 0; i < f->segments; i++) {
-        if (f->segment[i].to == s->end[left])
-            lack -= lack_at_end(f, &f->segment[i], 1, x);
-        if (f->segment[i].from == s->end[left + 1])
-            lack += lack_at_end(f, &f->segment[i], 0, x);
+    int zone = 0;
+    while (zone + 1 < s->count && x > s->end[2 * zone + 1])
+        zone++;
+    return zone;
+}
+
+/* Adds it at the places of the zone of which the end is one. */
+static void add_lack(const rw_fronts *f, const rw_segment *segment, int side, int zone, size_t n,
+                     const double x[], const int zone_of[], double lack[])
+{
+    double there[RW_TERMS];
+    bool is_near = false;
+    for (size_t i = 0; i < n; i++)
+        is_near = is_near || zone_of[i] == zone;
+    if (!is_near)
+        return;
+    lack_at_end(f, segment, side, n, x, there);
+    for (size_t i = 0; i < n; i++)
+        if (zone_of[i] == zone)
+            lack[i] += side ? -there[i] : there[i];
+}
+
+void rw_fronts_lack(const rw_fronts *f, const rw_stuck *s, size_t n, const double x[],
+                    double lack[])
+{
+    int zone_of[RW_TERMS];
+    for (size_t i = 0; i < n; i++) {
+        zone_of[i] = zone_at(s, x[i]);
+        lack[i] = 0;
     }
-    return lack;
+    for (int i = 0; i < f->segments; i++)
+        for (int zone = 0; zone < s->count; zone++) {
+            if (f->segment[i].to == s->end[2 * zone])
+                add_lack(f, &f->segment[i], 1, zone, n, x, zone_of, lack);
+            if (f->segment[i].from == s->end[2 * zone + 1])
+                add_lack(f, &f->segment[i], 0, zone, n, x, zone_of, lack);
+        }
 }

@@ -6,7 +6,6 @@
 #include "numerical/origin.h"
 
 #include <stdlib.h>
-#include <string.h>
 
 /* A load is divided so many times at most, each time into halves or shorter parts. */
 enum { DIVISIONS = 9 };
@@ -54,8 +53,7 @@ static bool accept(load_work *j, const rw_numerical_state *half, rw_numerical_st
     }
     if (frame->B == 0)
         rw_settle_energy(&j->work, &n->now, half, now);
-    rw_shear_state_smooth(&now->shear, now->contact,
-                          frame->tolerance * rw_peak_friction(frame, now->contact));
+    rw_shear_state_smooth(&now->shear, now->contact, frame->tolerance * rw_peak_of(frame, now));
     rw_numerical_note_error(n, half, now, frame->tolerance);
     drop(&n->now);
     move(&n->now, now);
@@ -218,6 +216,16 @@ static void keep_friction(rw_work *w, rw_numerical *n)
         }
 }
 
+/* No state is known yet. The rest of one, some thousand bytes, is set with it. */
+static void forget_all(load_work *j)
+{
+    for (int i = 0; i <= DIVISIONS; i++) {
+        rw_numerical_state *const all[] = {&j->at[i].whole, &j->at[i].half, &j->at[i].both};
+        for (int k = 0; k < 3; k++)
+            all[k]->shear.traction = all[k]->pressed = (rw_traction){0};
+    }
+}
+
 /* A copy that has gone to a load, in `next`; NULL where memory is short, or there is no answer. */
 static int32_t try_load(const rw_numerical *n, const rw_frame *frame, rw_scaled_loads to,
                         int *effort, rw_numerical **next)
@@ -227,7 +235,7 @@ static int32_t try_load(const rw_numerical *n, const rw_frame *frame, rw_scaled_
     if (!j)
         return RWEDGE_ENOMEM;
     rw_work_init(&j->work, frame, *effort);
-    memset(j->at, 0, sizeof j->at);
+    forget_all(j);
     int32_t status = RWEDGE_ENOMEM;
     bool is_whole = true;
     j->next = rw_numerical_copy(n, &is_whole);

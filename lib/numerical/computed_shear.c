@@ -18,6 +18,7 @@ rw_numerical *rw_numerical_begin(const rw_frame *frame, const rw_numerical_state
 {
     rw_numerical_state begun = *now;
     begun.is_still = true;
+    begun.peak = rw_peak_friction(frame, now->contact);
     begun.unslipped = now->contact;
     rw_numerical *n = malloc(sizeof *n);
     if (!n) {
@@ -78,6 +79,8 @@ void rw_numerical_rescale(rw_numerical *n, double factor)
 
 void rw_numerical_add_error(rw_numerical *n, double error)
 {
+    if (error == 0)
+        return;
     for (int i = 0; i < RW_PLACES; i++)
         if (rw_zones_label(&n->now.shear.zones, rw_place(n->now.contact, i)) == 0)
             n->error[i] = hypot(n->error[i], error);

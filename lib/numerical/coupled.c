@@ -280,7 +280,7 @@ static double apart(const rw_frame *frame, const rw_numerical_state *a, const rw
             most = fmax(most, fabs(rw_traction_at(&a->shear.traction, x) -
                                    rw_traction_at(&b->shear.traction, y)));
     }
-    return most / rw_peak_friction(frame, a->contact);
+    return most / rw_peak_of(frame, a);
 }
 
 /* Takes over the pressure that the pass had. */

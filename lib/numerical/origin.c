@@ -14,18 +14,19 @@ typedef struct {
 static void origin_at_first(const double x[], const void *context, double origin[])
 {
     const beginning *b = context;
-    double slip[RW_TERMS] = {0};
+    double slip[RW_TERMS] = {0}, w[RW_TERMS];
     if (b->slip)
         b->slip(x, b->context, slip);
+    rw_displacements_of(b->now, RW_TERMS, x, w);
     for (int i = 0; i < RW_TERMS; i++)
-        origin[i] = slip[i] - rw_displacement_of(b->now, x[i]);
+        origin[i] = slip[i] - w[i];
 }
 
 /* Over what friction and what the stretch moves. */
 static double slip_tolerance(const rw_frame *frame, const rw_numerical_state *s)
 {
     return RW_FIT_OF_SLIP * frame->tolerance * rw_patch_half_width(s->contact) *
-           fmax(rw_peak_friction(frame, s->contact), fabs(s->at.stretch));
+           fmax(rw_peak_of(frame, s), fabs(s->at.stretch));
 }
 
 bool rw_numerical_count_slip(rw_numerical *n, const rw_frame *frame, rw_values slip,
@@ -53,28 +54,40 @@ typedef struct {
     const rw_numerical_state *half, *now;
 } growth;
 
-/* Minus the displacement at the time when an edge of the contact came to a place, interpolated
- * between two states. */
-static double origin_between(const rw_numerical_state *from, const rw_numerical_state *to, double x)
+/* The part of the way between two states at which an edge of the contact came to a place. */
+static double time_of_contact(rw_patch from, rw_patch to, double x)
 {
-    const double part = x > from->contact.right
-                            ? (x - from->contact.right) / (to->contact.right - from->contact.right)
-                            : (x - from->contact.left) / (to->contact.left - from->contact.left);
-    return -(1 - part) * rw_displacement_of(from, x) - part * rw_displacement_of(to, x);
+    return x > from.right ? (x - from.right) / (to.right - from.right)
+                          : (x - from.left) / (to.left - from.left);
 }
 
-/* Of a place that comes into contact in the step. It has slip 0 then, and keeps it where it
- * sticks. */
+/* Minus the displacement of places that come into contact in the step, at the time when they do,
+ * interpolated between two states. They have slip 0 then, and keep it where they stick. */
 static void new_origin(const double x[], const void *context, double origin[])
 {
+    enum { IN_FIRST_HALF, IN_SECOND_HALF, AT_END };
     const growth *g = context;
+    const rw_numerical_state *const state[] = {&g->numerical->now, g->half, g->now};
+    double w[3][RW_TERMS];
+    int time[RW_TERMS];
+    bool is_needed[3] = {false};
     for (int i = 0; i < RW_TERMS; i++) {
         const bool sticks = rw_zones_label(&g->half->shear.zones, x[i]) == 0 &&
                             rw_zones_label(&g->now->shear.zones, x[i]) == 0;
-        origin[i] = sticks ? -rw_displacement_of(g->now, x[i])
-                    : rw_patch_has(g->half->contact, x[i])
-                        ? origin_between(&g->numerical->now, g->half, x[i])
-                        : origin_between(g->half, g->now, x[i]);
+        time[i] = sticks                                 ? AT_END
+                  : rw_patch_has(g->half->contact, x[i]) ? IN_FIRST_HALF
+                                                         : IN_SECOND_HALF;
+        is_needed[time[i]] = true;
+        is_needed[time[i] < AT_END ? time[i] + 1 : AT_END] = true;
+    }
+    for (int k = 0; k < 3; k++)
+        if (is_needed[k])
+            rw_displacements_of(state[k], RW_TERMS, x, w[k]);
+    for (int i = 0; i < RW_TERMS; i++) {
+        const int k = time[i];
+        const double part =
+            k == AT_END ? 0 : time_of_contact(state[k]->contact, state[k + 1]->contact, x[i]);
+        origin[i] = k == AT_END ? -w[k][i] : -(1 - part) * w[k][i] - part * w[k + 1][i];
     }
 }
 

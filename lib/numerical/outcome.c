@@ -160,12 +160,12 @@ static void add_slip(rw_outcome *o, int label, double left, double right)
 /* Notes where the traction of a zone that sticks exceeds friction, between two breaks. */
 static void check_friction(const rw_problem *p, rw_outcome *o, double from, double to)
 {
-    double begun = NAN, before = from, x[RW_CHECKS], t[RW_CHECKS], F[RW_CHECKS];
+    double begun = NAN, before = from, node[RW_CHECKS], weight[RW_CHECKS];
+    double x[RW_CHECKS], t[RW_CHECKS], F[RW_CHECKS];
     int label = 0;
-    for (int i = 0; i < RW_CHECKS; i++) {
-        const double half = sin(RW_HALF_PI * (i + 0.5) / RW_CHECKS);
-        x[i] = from + (to - from) * half * half;
-    }
+    rw_half_circle(RW_CHECKS, node, weight);
+    for (int i = 0; i < RW_CHECKS; i++)
+        x[i] = from + (to - from) * node[i];
     rw_traction_values(&o->state.traction, RW_CHECKS, x, t);
     rw_friction_after(p, RW_CHECKS, x, F);
     for (int i = 0; i < RW_CHECKS; i++) {

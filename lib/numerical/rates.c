@@ -25,12 +25,27 @@ static bool solve(rw_fronts *f, const rw_problem *problem, const rw_zones *zones
     return is_done;
 }
 
-/* w' where it slips with this sign; where it sticks the rate of t beyond S f dp/ds: both terms are
- * over i there, so that the second one changes its sign. */
-static double rate_at(const rw_fronts *f, const rw_stuck *s, bool sticks, double x)
+/* At the RW_RATE_POINTS places x: w' where it slips with this sign; where it sticks the rate of t
+ * beyond S f dp/ds: both terms are over i there, so that the second one changes its sign. */
+static void rates_at(const rw_fronts *f, const rw_stuck *s, bool sticks, const double x[],
+                     double rate[])
 {
-    const double X = rw_X_at(s, x), p = rw_polynomial_at(s, (x - s->middle) / s->half);
-    return X * rw_fronts_transform(f, x) + (sticks ? -p : p) / X;
+    double X[RW_RATE_POINTS];
+    rw_X_values(s, RW_RATE_POINTS, x, X);
+    for (int i = 0; i < RW_RATE_POINTS; i++) {
+        const double p = rw_polynomial_at(s, (x[i] - s->middle) / s->half);
+        rate[i] = X[i] * rw_fronts_transform(f, x[i]) + (sticks ? -p : p) / X[i];
+    }
+}
+
+/* The places between two ends at which the rates are read, with their weights. */
+static void rate_points(double from, double length, double x[], double weight[])
+{
+    rw_half_circle(RW_RATE_POINTS, x, weight);
+    for (int i = 0; i < RW_RATE_POINTS; i++) {
+        x[i] = from + length * x[i];
+        weight[i] *= length;
+    }
 }
 
 /* The end of a zone that slips from which slip is counted. Returns how far the other end is, < 0 to
@@ -46,11 +61,12 @@ static double from_front(const rw_stuck *s, rw_zone zone, double *front)
 static double largest_slip(const rw_fronts *f, const rw_stuck *s, rw_zone zone, int way)
 {
     double front, slip = 0, most = 0;
+    double x[RW_RATE_POINTS], step[RW_RATE_POINTS], rate[RW_RATE_POINTS];
     const double length = from_front(s, zone, &front);
+    rate_points(front, length, x, step);
+    rates_at(f, s, false, x, rate);
     for (int i = 0; i < RW_RATE_POINTS; i++) {
-        const double angle = RW_PI * (i + 0.5) / RW_RATE_POINTS, half = sin(angle / 2);
-        slip += rate_at(f, s, false, front + length * half * half) * length * sin(angle) *
-                (RW_HALF_PI / RW_RATE_POINTS);
+        slip += rate[i] * step[i];
         most = fmax(most, way * zone.label * slip);
     }
     return most / sqrt(fabs(length) * s->half);
@@ -124,16 +140,15 @@ static double slip_in(rw_fronts *f, const rw_problem *p, const rw_zones *zones, 
 static double excess_in(rw_fronts *f, const rw_problem *p, const rw_zones *zones, rw_zone part)
 {
     const double length = part.right - part.left;
-    double sum = 0;
+    double sum = 0, x[RW_RATE_POINTS], step[RW_RATE_POINTS], rate[RW_RATE_POINTS];
     rw_stuck s;
     if (!solve(f, p, zones, part.label, &s))
         return HUGE_VAL;
-    for (int i = 0; i < RW_RATE_POINTS; i++) {
-        const double angle = RW_PI * (i + 0.5) / RW_RATE_POINTS, half = sin(angle / 2);
-        const double excess = part.label * rate_at(f, &s, true, part.left + length * half * half);
-        sum += fmax(0, excess) * sin(angle) * (RW_HALF_PI / RW_RATE_POINTS);
-    }
-    return sum * sqrt(length / s.half);
+    rate_points(part.left, length, x, step);
+    rates_at(f, &s, true, x, rate);
+    for (int i = 0; i < RW_RATE_POINTS; i++)
+        sum += fmax(0, part.label * rate[i]) * step[i];
+    return sum / sqrt(length * s.half);
 }
 
 void rw_rates_free_ratio(rw_fronts *f, const rw_problem *p, const rw_zones *zones, double ratio[2])
@@ -321,14 +336,14 @@ double rw_rates_excess_at_start(rw_fronts *f, const rw_problem *p, const rw_zone
 static double power_in(const rw_fronts *f, const rw_stuck *s, rw_zone zone)
 {
     double front, slip = 0, power = 0;
+    double x[RW_RATE_POINTS], step[RW_RATE_POINTS], rate[RW_RATE_POINTS], F[RW_RATE_POINTS];
     const double length = from_front(s, zone, &front);
+    rate_points(front, length, x, step);
+    rates_at(f, s, false, x, rate);
+    rw_exact_frictions(f->problem->frame, f->problem->to, RW_RATE_POINTS, x, F);
     for (int i = 0; i < RW_RATE_POINTS; i++) {
-        const double angle = RW_PI * (i + 0.5) / RW_RATE_POINTS, half = sin(angle / 2);
-        const double x = front + length * half * half;
-        const double step = length * sin(angle) * (RW_HALF_PI / RW_RATE_POINTS);
-        const double more = rate_at(f, s, false, x) * step;
-        const double friction = rw_exact_friction(f->problem->frame, f->problem->to, x);
-        power -= zone.label * (slip + more / 2) * friction * fabs(step);
+        const double more = rate[i] * step[i];
+        power -= zone.label * (slip + more / 2) * F[i] * fabs(step[i]);
         slip += more;
     }
     return fmax(0, power);

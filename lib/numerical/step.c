@@ -14,6 +14,11 @@ double rw_place(rw_patch contact, int i)
            rw_patch_half_width(contact) * cos(RW_PI * (i + 0.5) / RW_PLACES);
 }
 
+double rw_peak_of(const rw_frame *frame, const rw_numerical_state *s)
+{
+    return s->peak > 0 ? s->peak : rw_peak_friction(frame, s->contact);
+}
+
 rw_patch rw_patch_of_loads(const rw_frame *frame, rw_scaled_loads at)
 {
     return frame->is_held ? rw_arcs_patch_of_tilt(&frame->arcs, at.P, at.turn)
@@ -112,6 +117,7 @@ void rw_note_outcome(const rw_problem *p, const rw_numerical_state *from, rw_sca
     *there = (rw_numerical_state){
         .shear = outcome->state,
         .contact = p->to,
+        .peak = p->scale,
         .at = to,
         .is_still = from->is_still && p->is_still,
         .unslipped = rw_zones_widest_stick(&outcome->state.zones, never_slipped(from, p)),
@@ -123,11 +129,22 @@ void rw_note_outcome(const rw_problem *p, const rw_numerical_state *from, rw_sca
         .error = outcome->violation};
 }
 
+void rw_displacements_of(const rw_numerical_state *s, size_t n, const double x[], double w[])
+{
+    rw_traction_displacements(&s->shear.traction, n, x, w);
+    for (size_t i = 0; i < n; i++) {
+        const double shear = w[i] + s->at.stretch * x[i];
+        w[i] = s->coupling == 0
+                   ? shear - s->move
+                   : shear - s->coupling * rw_traction_load_to(&s->pressed, x[i]) - s->move;
+    }
+}
+
 double rw_displacement_of(const rw_numerical_state *s, double x)
 {
-    const double shear = rw_traction_displacement(&s->shear.traction, x) + s->at.stretch * x;
-    return s->coupling == 0 ? shear - s->move
-                            : shear - s->coupling * rw_traction_load_to(&s->pressed, x) - s->move;
+    double w;
+    rw_displacements_of(s, 1, &x, &w);
+    return w;
 }
 
 static bool step_to(rw_work *w, const rw_problem *p, const rw_numerical_state *from,
@@ -282,7 +299,7 @@ static double growth_error(rw_work *w, rw_patch before, const rw_numerical_state
         most =
             fmax(most, fabs(D - half->D[side]) * rw_exact_friction(w->frame, whole->contact, old));
     }
-    return RW_OF_RATIO * most / rw_peak_friction(w->frame, whole->contact);
+    return RW_OF_RATIO * most / rw_peak_of(w->frame, whole);
 }
 
 /* Shear over friction at an edge, from two places in the ring that is new in contact. */
@@ -316,7 +333,7 @@ static double edge_error(rw_work *w, const rw_numerical_state *from,
             most = fmax(most, fabs(ratio_at_edge(w->frame, there, edge, old) - D[side]) *
                                   rw_exact_friction(w->frame, there->contact, old));
     }
-    return RW_OF_RATIO_AT_END * most / rw_peak_friction(w->frame, there->contact);
+    return RW_OF_RATIO_AT_END * most / rw_peak_of(w->frame, there);
 }
 
 double rw_compare(rw_work *w, const rw_numerical_state *from, const rw_numerical_state *whole,
@@ -324,7 +341,7 @@ double rw_compare(rw_work *w, const rw_numerical_state *from, const rw_numerical
 {
     const rw_frame *frame = w->frame;
     const rw_patch before = from->contact;
-    const double scale = rw_peak_friction(frame, whole->contact);
+    const double scale = rw_peak_of(frame, whole);
     const double unit = scale * rw_patch_half_width(whole->contact);
     const double energy = (both->energy - whole->energy) / (unit * unit);
     both->error += half->error + half->rate_error + both->rate_error +

@@ -32,6 +32,7 @@ double rw_place(rw_patch contact, int i);
 typedef struct {
     rw_shear_state shear;
     rw_patch contact;
+    double peak; /* f times the peak pressure; 0: not known yet */
     rw_scaled_loads at;
     bool is_still;       /* the contact is as it was at the beginning */
     rw_patch unslipped;  /* the widest part that has not slipped since then */
@@ -50,6 +51,9 @@ typedef struct {
     double apart[RW_PLACES]; /* the difference of the step in halves from the whole, by place */
 } rw_numerical_state;
 
+/* f times the peak pressure of a state. */
+double rw_peak_of(const rw_frame *frame, const rw_numerical_state *state);
+
 /* One step as a whole. false where no zones meet the conditions to the tolerance. With `coarse` the
  * best zones are taken, or the grid's answer, and false means that there is none. `guess`, or NULL:
  * zones of a similar step, which are tried first. */
@@ -60,8 +64,9 @@ bool rw_implicit_step(rw_work *work, const rw_numerical_state *from, rw_scaled_l
 void rw_note_outcome(const rw_problem *problem, const rw_numerical_state *from, rw_scaled_loads to,
                      const rw_outcome *outcome, rw_numerical_state *there);
 
-/* The displacement of the surface by both tractions and the stretch, less the rigid move of the
- * zones that stick. */
+/* The displacement of the surface at n <= RW_TERMS places by both tractions and the stretch, less
+ * the rigid move of the zones that stick; at one place. */
+void rw_displacements_of(const rw_numerical_state *state, size_t n, const double x[], double w[]);
 double rw_displacement_of(const rw_numerical_state *state, double x);
 
 /* The rates of a step on a contact that it passes. */

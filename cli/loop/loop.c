@@ -76,7 +76,7 @@ static void compute(plan *job)
     job->fits = job->is_by_cycle ? whole : 1;
     job->fit = memory_zeroed(job->fits, sizeof *job->fit);
     for (size_t i = 0; i < job->fits; i++)
-        if (!loop_fit_find(&job->setup, row_count(job, i), job->log.load + first_row(job, i),
+        if (!loop_fit_find(job->setup.contact, row_count(job, i), job->log.load + first_row(job, i),
                            &job->fit[i], &why))
             failure("%s: %s", job->log.name, why.text);
 }
@@ -118,13 +118,17 @@ static void write_fit(const plan *job, size_t i, records *rows)
         *const meanings[LOOP_PARTS] = {"coefficient of friction",
                                        "how far the rig gives way under Q = 1 per unit length",
                                        "displacement at which there is no shear"},
-        *const regimes[] = {"stick", "partial slip", "gross slip"},
-        *const words[] = {"the loop is a line within its noise: f is not told",
-                          "Q does not reach f P", "Q reaches f P: the contact slides"};
+        *const regimes[] = {[RWEDGE_LOOP_STICK] = "stick",
+                            [RWEDGE_LOOP_PARTIAL_SLIP] = "partial slip",
+                            [RWEDGE_LOOP_GROSS_SLIP] = "gross slip"},
+        *const words[] = {[RWEDGE_LOOP_STICK] =
+                              "the loop is a line within its noise: f is not told",
+                          [RWEDGE_LOOP_PARTIAL_SLIP] = "Q does not reach f P",
+                          [RWEDGE_LOOP_GROSS_SLIP] = "Q reaches f P: the contact slides"};
     const loop_fit *fit = &job->fit[i];
     for (int j = 0; j < LOOP_PARTS; j++)
-        write_row(job, i, names[j], cell_number(isnan(fit->uncertainty[j]) ? NAN : fit->value[j]),
-                  fit->uncertainty[j], meanings[j], rows);
+        write_row(job, i, names[j], cell_number(fit->value[j]), fit->uncertainty[j], meanings[j],
+                  rows);
     write_energy(job, i, rows);
     write_row(job, i, "regime", cell_text(regimes[fit->regime]), NAN, words[fit->regime], rows);
 }

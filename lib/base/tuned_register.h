@@ -71,7 +71,10 @@ RW_NUMBER(RW_SLIVER, 0.1)
 /* Passes go on until the shear changes by less than this part of the tolerance. */
 RW_NUMBER(RW_SAME_SHEAR, 0.1)
 
-/* What a pass costs, for an element of both tractions each, as measured. */
+/* What a pass costs, for an element of both tractions each, over what a residual costs for a value
+ * and a zone that sticks each. Measured over the nine cases of tests/data/unlike_loads.csv and 30
+ * random histories of three loads: 1590 ns and 27 ns. One by one it was 11 to 190, of half of them
+ * 73 to 107; long loads, whose effort may end, weigh most. */
 RW_COUNT(RW_EFFORT_OF_PASS, 60)
 
 /* Traction beyond friction, over the scale, at new places in contact that slip in passing. */

@@ -4,7 +4,7 @@
 #include "base/domain.h"
 #include "base/root.h"
 
-/* An arc is short where its half is this part of its distance from the edges. */
+/* An arc is short where its half is this part of its distance from the edges, or less. */
 static const double SHORT = 1.0 / 32;
 
 rw_sliding_frame rw_sliding_frame_of(rw_sliding_way slides, rw_patch patch)

@@ -70,6 +70,16 @@ CLAIM(the_contact_swings_as_it_is_held)
     assert_within(law_of(0.1, -mu, 0).tilt / mu, 1.145, 0.005);
 }
 
+/* The formula of tables/README.md, for a workbook. */
+CLAIM(a_held_contact_swings_as_a_worksheet_says)
+{
+    const double mu = 1e-3;
+    for (double alpha = 0; alpha < 1.3; alpha += 0.05) {
+        const double clear = fmax(0, 1 - alpha * alpha);
+        assert_close(-law_of(alpha, -mu, 1).middle / mu, 0.637 + 0.529 * pow(clear, 0.56), 0.012);
+    }
+}
+
 /* By how much elastic limits change, in percent, by another program's search with the formulas by
  * hypergeometric functions: mu = 0.05 and -0.05, held, nu = 0.3. */
 CLAIM(elastic_limits_change_as_another_program_finds)

@@ -98,6 +98,7 @@ distance distance_read(const arguments *line, const material *constants);
 
 typedef struct {
     csv_row row;
+    size_t log;    /* its number, from 1; 0 is none */
     complaint why; /* why it has no results; "" */
 } test_row;
 

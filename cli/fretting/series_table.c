@@ -87,12 +87,12 @@ static void read_log(const logs *all, named_log *to)
     to->log.count = loads.count;
 }
 
-/* NULL for the name "". Each file is read once for a friction. */
-static const test_log *log_named(logs *all, const char *name, double f)
+/* Its number, from 1; 0 for the name "". Each file is read once for a friction. */
+static size_t log_named(logs *all, const char *name, double f)
 {
     size_t i = 0;
     if (name[0] == '\0')
-        return NULL;
+        return 0;
     while (i < all->count && (strcmp(all->list[i].name, name) != 0 || all->list[i].f != f))
         i++;
     if (i == all->count) {
@@ -100,7 +100,7 @@ static const test_log *log_named(logs *all, const char *name, double f)
         all->list[all->count++] = (named_log){.name = name, .f = f};
         read_log(all, &all->list[i]);
     }
-    return &all->list[i].log;
+    return i + 1;
 }
 
 /* ---- The columns ---- */
@@ -167,17 +167,24 @@ static void add_row(series_table *table)
         failure("%s: more than %d tests", table->file.in->name, TESTS_MAX);
 }
 
-static void run_row(const series *all, logs *files, test_row *row, test_run *run)
+/* A job of threads: its files have been read. */
+typedef struct {
+    series_table *table;
+    const logs *files;
+    size_t first;
+} part_of_rows;
+
+static void run_row(void *of_part, int64_t i)
 {
+    const part_of_rows *part = of_part;
+    test_row *row = &part->table->row[part->first + (size_t)i];
+    test_run *run = &part->table->run[part->first + (size_t)i];
     const csv_row *cells = &row->row;
-    if (cells->malformed) {
+    const test_log *log = row->log > 0 ? &part->files->list[row->log - 1].log : NULL;
+    if (cells->malformed)
         complain(&row->why, "misplaced quotes in the row of line %" PRId64, cells->line);
-        return;
-    }
-    const test_log *log = log_named(files, test_log_name(all, cells->cell, cells->count),
-                                    test_friction(all, cells->cell, cells->count));
-    if (test_read(all, cells->cell, cells->count, log, &run->test, &row->why))
-        test_go(all, run, &row->why);
+    else if (test_read(&part->table->all, cells->cell, cells->count, log, &run->test, &row->why))
+        test_go(&part->table->all, run, &row->why);
 }
 
 static void read_profile(const series_table *table, const arguments *line, const csv_row *row,
@@ -193,17 +200,35 @@ static void read_profile(const series_table *table, const arguments *line, const
         notice("%s", profiles_read(name, &how, &making));
 }
 
+/* Those that a row names, before threads run it. */
+static void read_files(const arguments *line, char decimal_sign, logs *files,
+                       const series_table *table, test_row *row)
+{
+    const series *all = &table->all;
+    const csv_row *cells = &row->row;
+    read_profile(table, line, cells, decimal_sign);
+    if (!cells->malformed)
+        row->log = log_named(files, test_log_name(all, cells->cell, cells->count),
+                             test_friction(all, cells->cell, cells->count));
+}
+
 static void run_rows(const arguments *line, const output_options *out, char decimal_sign,
                      series_table *table)
 {
+    enum { AT_ONCE = 64 };
     logs files = {.line = line, .how = reading_of(line, decimal_sign), .out = out};
     const bool shows = line->value[OPTION_QUIET] == NULL && stream_is_terminal(stderr);
+    const int threads = threads_read(line);
     table->run = memory_zeroed(table->count, sizeof *table->run);
+    for (size_t i = 0; i < table->count; i++)
+        read_files(line, decimal_sign, &files, table, &table->row[i]);
+    measure_count(); /* before the threads */
     progress_start(shows, (int64_t)table->count, "tests");
-    for (size_t i = 0; i < table->count; i++) {
-        read_profile(table, line, &table->row[i].row, decimal_sign);
-        run_row(&table->all, &files, &table->row[i], &table->run[i]);
-        progress_step();
+    for (size_t i = 0; i < table->count; i += AT_ONCE) {
+        const size_t left = table->count - i, n = left < AT_ONCE ? left : AT_ONCE;
+        threads_run(threads, (int64_t)n, run_row, &(part_of_rows){table, &files, i});
+        for (size_t k = 0; k < n; k++)
+            progress_step();
     }
     progress_erase();
 }

@@ -186,7 +186,9 @@ typedef struct {
     bool slip_known;    /* it has a closed form after every load */
 } last_cycle;
 
-/* Begins a cycle of at most so many loads: copies the contact before it. */
+/* Begins a cycle of at most so many loads: copies the contact before it. Where memory is short
+ * last_cycle_end() says so. Several threads may call it and the others here at a time, each for a
+ * cycle of its own, once measure_count() has been called. */
 void last_cycle_begin(const contact_case *setup, const criteria *asked,
                       const rwedge_contact *before, size_t most, last_cycle *cycle);
 
@@ -224,6 +226,9 @@ typedef struct {
 
 /* The places by default, those of rwedge_cycle_places(). None where there is no contact. */
 measured stops_usual(const last_cycle *cycle);
+
+/* The same; false where memory is short. Several threads may call it at a time. */
+bool stops_find(const last_cycle *cycle, measured *all);
 
 /* The place with the largest value of a column, the first of several. Of a criterion it is not
  * looked for where nothing cycles. */

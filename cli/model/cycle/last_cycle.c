@@ -21,24 +21,23 @@ void last_cycle_begin(const contact_case *setup, const criteria *asked,
                       const rwedge_contact *before, size_t most, last_cycle *cycle)
 {
     measure_count(); /* the table of columns is made here, before any thread asks for it */
-    *cycle = (last_cycle){.setup = setup,
-                          .asked = *asked,
-                          .P = memory_zeroed(6 * most, sizeof(double)),
-                          .left = NAN,
-                          .right = NAN};
+    *cycle = (last_cycle){.setup = setup, .asked = *asked, .left = NAN, .right = NAN};
+    cycle->P = calloc(6 * most + 1, sizeof *cycle->P);
+    if (cycle->P == NULL || rwedge_contact_copy(before, &cycle->before) != RWEDGE_OK)
+        return;
     cycle->M = cycle->P + most;
     cycle->Q = cycle->M + most;
     cycle->sigma = cycle->Q + most;
     cycle->displacement = cycle->sigma + most;
     cycle->tilt = cycle->displacement + most;
-    rwedge_contact_copy(before, &cycle->before);
-    memory_checked(cycle->before);
     note(before, cycle);
 }
 
 void last_cycle_add(load to, const rwedge_contact *contact, last_cycle *cycle)
 {
     const size_t i = cycle->loads++;
+    if (cycle->before == NULL)
+        return;
     cycle->is_driven = to.is_driven;
     cycle->displacement[i] = to.displacement;
     cycle->compliance = to.compliance;
@@ -51,7 +50,8 @@ void last_cycle_add(load to, const rwedge_contact *contact, last_cycle *cycle)
 int32_t last_cycle_end(last_cycle *last)
 {
     int32_t status =
-        last->is_driven
+        last->before == NULL ? RWEDGE_ENOMEM
+        : last->is_driven
             ? rwedge_cycle_create_driven(last->before, last->loads, last->P, last->M, last->sigma,
                                          last->displacement, last->compliance, &last->cycle)
         : last->is_guided
@@ -249,7 +249,9 @@ int32_t last_cycle_worst(const last_cycle *cycle, int column, size_t n, const me
                          double *worst_x, double *worst_value)
 {
     const criteria *asked = &cycle->asked;
-    double *x = memory_zeroed(2 * n, sizeof *x), *value = x + n;
+    double *x = malloc((2 * n + 1) * sizeof *x), *value = x + n;
+    if (x == NULL)
+        return RWEDGE_ENOMEM;
     for (size_t i = 0; i < n; i++) {
         x[i] = line[i].x;
         value[i] = fmax(line[i].value[column], 0); /* 0 where it is not known */

@@ -28,15 +28,25 @@ static void sort(measured *all)
     all->count = all->line = kept;
 }
 
-measured stops_usual(const last_cycle *cycle)
+bool stops_find(const last_cycle *cycle, measured *all)
 {
     const size_t n = rwedge_cycle_place_count(cycle->cycle);
-    double *x = memory_zeroed(n, sizeof *x);
-    measured all = {.place = memory_zeroed(n, sizeof *all.place), .line = n};
-    rwedge_cycle_places(cycle->cycle, n, x);
-    for (size_t i = 0; i < n; i++)
-        add(&all, x[i], true);
+    double *x = malloc((n + 1) * sizeof *x);
+    *all = (measured){.place = malloc((n + 1) * sizeof *all->place), .line = n};
+    const bool is_found = x != NULL && all->place != NULL;
+    if (is_found)
+        rwedge_cycle_places(cycle->cycle, n, x);
+    for (size_t i = 0; i < n && is_found; i++)
+        add(all, x[i], true);
     free(x);
+    return is_found;
+}
+
+measured stops_usual(const last_cycle *cycle)
+{
+    measured all;
+    if (!stops_find(cycle, &all))
+        memory_checked(NULL);
     return all;
 }
 

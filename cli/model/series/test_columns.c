@@ -16,8 +16,8 @@ const test_column test_columns[TEST_COLUMNS] = {
                            SHARE_OF_SECTION},
     [TEST_LOADS] = {"loads", "a file of loads, the cycle, in place of Q and sigma", "name",
                     SHARE_NONE},
-    [TEST_LIFE] = {"life_tested", "the life that was measured; >1e7 is a run-out", "none",
-                   SHARE_NONE},
+    [TEST_LIFE] = {"life_tested", "the life measured, in passes of the loads; >1e7: a run-out",
+                   "none", SHARE_NONE},
 };
 
 bool series_has(const series *all, int i)

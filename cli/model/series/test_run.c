@@ -78,9 +78,11 @@ static void measure_contact(const rwedge_contact *contact, test_run *run)
 
 static bool find_worst(test_run *run, complaint *why)
 {
-    measured along = stops_usual(&run->last);
-    int32_t status = last_cycle_measure(&run->last, along.count, along.place);
-    const bool touches = along.count > 0;
+    measured along;
+    int32_t status = stops_find(&run->last, &along)
+                         ? last_cycle_measure(&run->last, along.count, along.place)
+                         : RWEDGE_ENOMEM;
+    const bool touches = along.count > 0 || status == RWEDGE_ENOMEM;
     if (status == RWEDGE_OK && touches)
         status = worst_places(&run->last, &along, run->worst);
     free(along.place);

@@ -39,6 +39,19 @@ refuses "--threads 0: must be a whole number from 1 to 256" solve -i cases.csv $
 refuses "--threads 2: needs --input" solve $contact --P 1 --threads 2
 refuses "--threads 257: must be a whole number from 1 to 256" table contact-law --threads 257
 
+# A series of tests: rows of every kind, and a log that several share.
+printf 'P,Q\n300,60\n300,-60\n' >log.csv
+awk 'BEGIN { print "P,Q_max,loads"; for (i = 1; i <= 150; i++)
+    print i % 17 == 0 ? "300,,log.csv" : i % 19 == 0 ? "abc,1," : i % 23 == 0 ? 300 ",900," : 300 + i "," 20 + i % 50 "," }' >tests.csv
+for threads in 1 3 64; do
+    run fretting -i tests.csv --E1 210000 --nu1 0.3 --radius 50 --f 0.6 --threads $threads
+    status_is 0
+    [ $threads -gt 1 ] || { cp out expected; cp err said; }
+    same "bytes of a series" "" "$(cmp expected out 2>&1)"
+    same "messages of a series" "" "$(cmp said err 2>&1)"
+done
+same "rows of a series" 151 "$(wc -l <out)"
+
 # Rows that nobody takes are not kept, and threads end with the table.
 shell '"$rwedge" table elastic-limit --friction 0:0.8:0.0000001 --threads 8 | head -n 1'
 output_is "a_over_b,f,nu,P_over_bk,x_over_b,y_over_b,branch,P_over_bk_subsurface,P_over_bk_surface"

@@ -10,7 +10,7 @@
 /* ---- Their making ---- */
 
 /* A cluster of no more elements is not divided. */
-enum { FEW = 3 };
+enum { FEW = 2 };
 
 /* Sums of load times U_n at the nodes of the elements, apart for each of RW_LANES nodes: compilers
  * make vector instructions of that. */
@@ -94,8 +94,29 @@ bool rw_traction_cluster(rw_traction *t)
 
 /* ---- What they do far away ---- */
 
-/* sum a_n R^n and sum (n+1) a_n R^n; their coefficients are real, and so is the recurrence: R is a
- * root of R^2 - 2 Re R + |R|^2. */
+/* The sum of every second term up to `last`, a_n or (n+1) a_n, in powers of z = R^2. The
+ * coefficients are real, and so is the recurrence: z is a root of z^2 - 2 Re z + |z|^2. */
+RW_INLINE rw_complex every_second(const double a[], int last, bool is_steep, rw_complex z,
+                                  double square)
+{
+    double sum = 0, before = 0;
+    for (int n = last; n >= 0; n -= 2) {
+        const double rest = (is_steep ? n + 1 : 1) * a[n] - square * before;
+        before = sum;
+        sum = rest + 2 * z.re * sum;
+    }
+    return (rw_complex){sum - z.re * before, z.im * before};
+}
+
+/* sum a_n R^(n+1), or sum (n+1) a_n R^(n+1): even and odd terms do not wait for each other. */
+RW_INLINE rw_complex all_terms(const double a[], bool is_steep, rw_complex R, double square)
+{
+    const rw_complex R2 = rw_product(R, R);
+    const rw_complex even = every_second(a, RW_TERMS - 2, is_steep, R2, square * square),
+                     odd = every_second(a, RW_TERMS - 1, is_steep, R2, square * square);
+    return rw_product(R, rw_sum(even, rw_product(R, odd)));
+}
+
 RW_INLINE rw_field series_at(const rw_cluster *c, double x, double y)
 {
     const double v = (x - c->middle) * c->per_half, w = y * c->per_half, right = fabs(v);
@@ -104,20 +125,8 @@ RW_INLINE rw_field series_at(const rw_cluster *c, double x, double y)
     const rw_complex R = {side * shrink * e.sin_v, -shrink * e.cos_v};
     const rw_complex y_over_X = {side * scale * (e.sin_v * e.sinh_w),
                                  -scale * (e.cos_v * e.cosh_w)};
-    const double twice = 2 * R.re, square = shrink * shrink;
-    double sum = 0, sum_before = 0, steep = 0, steep_before = 0;
-    for (int n = RW_TERMS; n > 0; n--) {
-        const double a = c->a[n - 1];
-        const double next = a + twice * sum - square * sum_before;
-        const double steep_next = n * a + twice * steep - square * steep_before;
-        sum_before = sum;
-        sum = next;
-        steep_before = steep;
-        steep = steep_next;
-    }
-    const rw_complex G = rw_product(R, (rw_complex){sum - R.re * sum_before, R.im * sum_before});
-    const rw_complex H = rw_product(
-        y_over_X, rw_product(R, (rw_complex){steep - R.re * steep_before, R.im * steep_before}));
+    const rw_complex G = all_terms(c->a, false, R, shrink * shrink);
+    const rw_complex H = rw_product(y_over_X, all_terms(c->a, true, R, shrink * shrink));
     return (rw_field){G.re, G.im, -H.re, -H.im};
 }
 
@@ -131,13 +140,25 @@ RW_INLINE void series(const rw_cluster *restrict c, int count, const double *res
 
 RW_BEST_PROCESSOR(best_series, series, rw_cluster)
 
-void rw_cluster_fields(const rw_cluster *c, int count, double x[], double y[], rw_fields *fields)
+static void one_by_one(const rw_cluster *c, int count, const double x[], const double y[],
+                       rw_fields *fields)
 {
-    for (int i = count; i % RW_LANES != 0; i++) { /* fills the last vector */
-        x[i] = x[0];
-        y[i] = y[0];
-    }
-    best_series(c, count, x, y, fields);
+    for (int i = 0; i < count; i++)
+        rw_put(fields, i, series_at(c, x[i], y[i]));
+}
+
+void rw_add_cluster(const rw_cluster *c, const rw_places *far, const double x[], const double y[],
+                    rw_fields *sum)
+{
+    double far_x[RW_BATCH], far_y[RW_BATCH];
+    rw_fields own;
+    if (far->count == 0)
+        return;
+    rw_places_read(far, x, far_x);
+    rw_places_read(far, y, far_y);
+    (far->count < RW_WORTH_A_VECTOR ? one_by_one : best_series)(c, far->count, far_x, far_y, &own);
+    for (int i = 0; i < far->count; i++)
+        rw_places_add(far, i, rw_field_in(&own, i), sum);
 }
 
 /* The integral of a_n R^(n+1) over x is h/2 a_n (R^(n+2)/(n+2) - R^n/n), of the first term h/2 a_0

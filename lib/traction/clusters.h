@@ -9,21 +9,20 @@
 #ifndef RW_CLUSTERS_H
 #define RW_CLUSTERS_H
 
-#include "potential/batch.h"
+#include "traction/places.h"
 #include "traction/traction.h"
 
 /* Whether a place is far from the cluster. */
 static inline bool rw_is_far(const rw_cluster *cluster, double x, double y)
 {
-    static const double A = (4 + 1.0 / 4) / 2, B = (4 - 1.0 / 4) / 2; /* the ellipse |R| = 1/4 */
-    const double v = (x - cluster->middle) * cluster->per_half / A, w = y * cluster->per_half / B;
+    const double v = (x - cluster->middle) * cluster->per_half * (2 / (4 + 1.0 / 4)),
+                 w = y * cluster->per_half * (2 / (4 - 1.0 / 4)); /* on the ellipse |R| = 1/4: 1 */
     return v * v + w * w >= 1;
 }
 
-/* Omega and y Omega' of a cluster at count <= RW_BATCH places that are far from it. Room for
- * RW_BATCH of them is used. */
-void rw_cluster_fields(const rw_cluster *cluster, int count, double x[], double y[],
-                       rw_fields *fields);
+/* Adds Omega and y Omega' of a cluster at places that are far from it. */
+void rw_add_cluster(const rw_cluster *cluster, const rw_places *far, const double x[],
+                    const double y[], rw_fields *sum);
 
 /* -(1/pi) int t ln|s - x| ds of a cluster at a place of the surface that is far from it. */
 double rw_cluster_displacement(const rw_cluster *cluster, double x);

@@ -5,14 +5,10 @@
 #include "base/domain.h"
 #include "base/processor.h"
 #include "traction/clusters.h"
+#include "traction/element.h"
 #include "traction/legendre.h"
 
 #include <float.h>
-
-/* Let v be on the ellipse about -1 and 1 whose half-axes have the sum rho. There the forward
- * recurrence of Legendre's functions loses digits like rho^(2k), and Gauss's rule errs by
- * rho^(-2n). At rho = NEAR both errors are 1e-9 of the traction. */
-#define NEAR 2.0
 
 /* A point nearer to the end of an element than this part of its length is moved away: there the
  * infinite logarithms of two neighbouring elements cancel, but not in numbers. The slope may be
@@ -23,117 +19,11 @@ static const double BESIDE = 1e-10, WELL_BESIDE = 1e-8;
  * no further than to the middle of the element, beyond which another end may be. */
 static const double LEAST_MOVE = 4 * DBL_EPSILON;
 
-/* ---- One pole: J(zeta) = int c(u)/(u - zeta) du over an element ---- */
+/* ---- An element on the surface: J(zeta) = int c(u)/(u - zeta) du, zeta real or imaginary ---- */
 
-typedef struct {
-    rw_complex value, slope; /* J and J' */
-} pole;
-
-/* The sum of the distances of such points from -1 and 1. */
-static const double NEAR_ELLIPSE = NEAR + 1 / NEAR;
-
-static bool is_near(rw_complex v)
+static double legendre_sum(int n, const double c[], double v)
 {
-    const double to_one = (v.re - 1) * (v.re - 1) + v.im * v.im;
-    const double to_other = (v.re + 1) * (v.re + 1) + v.im * v.im;
-    return sqrt(to_one) + sqrt(to_other) < NEAR_ELLIPSE;
-}
-
-/* Q_0 = ln((v+1)/(v-1))/2; its real part is the principal value where v is real. */
-static rw_complex first_function(rw_complex v)
-{
-    const double up = v.re + 1, down = v.re - 1, square = v.im * v.im;
-    return (rw_complex){
-        rw_log_of_quotient(up * up + square + DBL_MIN, down * down + square + DBL_MIN) / 4,
-        rw_angle(up * down + square, v.im * (down - up)) / 2};
-}
-
-/* sum c_k Q_k(v) and its derivative, Q_k' = k (v Q_k - Q_(k-1))/(v^2 - 1). */
-RW_INLINE pole legendre_sum(int n, const double c[], rw_complex v)
-{
-    const rw_complex squared = rw_product(v, v);
-    const rw_complex per =
-        rw_quotient((rw_complex){1, 0}, (rw_complex){squared.re - 1, squared.im});
-    rw_complex before = first_function(v), q = rw_product(v, before), rate = {0, 0};
-    q.re -= 1;
-    rw_complex sum = rw_multiple(c[0], before);
-    for (int k = 1; k < n; k++) {
-        const rw_complex vq = rw_product(v, q);
-        sum = rw_sum(sum, rw_multiple(c[k], q));
-        rate = rw_sum(rate, rw_multiple(k * c[k], rw_sum(vq, rw_multiple(-1, before))));
-        const rw_complex next = rw_sum(rw_multiple(RW_LEGENDRE_RISE[k], vq),
-                                       rw_multiple(-RW_LEGENDRE_FALL[k - 1], before));
-        before = q;
-        q = next;
-    }
-    rate.re -= c[0];
-    return (pole){sum, rw_product(rate, per)};
-}
-
-/* By Gauss's rule; load_i is c(u_i) du_i times twice u_i and the size of the scale. */
-RW_INLINE pole gauss_sum(const rw_element *e, const double load[], double scale, rw_complex zeta)
-{
-    pole sum = {{0, 0}, {0, 0}};
-    for (int i = 0; i < RW_TERMS; i++) {
-        const double d = e->u[i] - zeta.re;
-        const double per = 1 / (e->u[i] * (d * d + zeta.im * zeta.im)), by = per * e->u[i];
-        const rw_complex quotient = {by * d, by * zeta.im};
-        const rw_complex value = {per * load[i] * d, per * load[i] * zeta.im};
-        sum.value = rw_sum(sum.value, value);
-        sum.slope = rw_sum(sum.slope, rw_product(value, quotient));
-    }
-    const double share = 1 / (2 * scale);
-    return (pole){rw_multiple(share, sum.value), rw_multiple(share, sum.slope)};
-}
-
-RW_INLINE pole pole_of(const rw_element *e, int n, const double c[], const double load[],
-                       double scale, rw_complex zeta)
-{
-    const double per_half = 2 / (e->last - e->first);
-    const rw_complex v = {(zeta.re - e->first) * per_half - 1, zeta.im * per_half};
-    if (!is_near(v))
-        return gauss_sum(e, load, scale, zeta);
-    const pole sum = legendre_sum(n, c, v);
-    return (pole){rw_multiple(-2, sum.value), rw_multiple(-2 * per_half, sum.slope)};
-}
-
-/* ---- An element that is not far from z ---- */
-
-static rw_complex zeta_of(const rw_element *e, double x, double y)
-{
-    return rw_complex_root((rw_complex){(x - e->end) / e->scale, y / e->scale});
-}
-
-/* Neither pole is near, whichever part of its square-root element this is. */
-static bool is_far(const rw_element *e, double x, double y)
-{
-    const double middle = e->low / 2 + e->high / 2, length = e->high - e->low;
-    return fabs(x - middle) > 0.8 * length || y > 0.8 * length;
-}
-
-/* The side of its end on which an element lies. */
-static double side_of(const rw_element *e)
-{
-    return e->scale < 0 ? -1 : 1;
-}
-
-/* J(zeta) + J(-zeta), and its derivative by z. */
-static pole transform(const rw_element *e, double x, double y)
-{
-    const double *c = e->coefficient, size = fabs(e->scale), side = side_of(e);
-    const rw_complex zeta = zeta_of(e, x, y);
-    const pole at_zeta = pole_of(e, e->terms, c, e->load, size, zeta);
-    const pole at_minus = pole_of(e, e->terms, c, e->load, size, rw_multiple(-1, zeta));
-    return (pole){rw_multiple(side, rw_sum(at_zeta.value, at_minus.value)),
-                  rw_quotient(rw_sum(at_zeta.slope, rw_multiple(-1, at_minus.slope)),
-                              rw_multiple(2 * size, zeta))};
-}
-
-/* ---- The same on the surface, where zeta is real or imaginary ---- */
-
-static double legendre_sum_at(int n, const double c[], double v)
-{
-    double before = first_function((rw_complex){v, 0}).re, q = v * before - 1;
+    double before = rw_first_function((rw_complex){v, 0}).re, q = v * before - 1;
     double sum = c[0] * before;
     for (int k = 1; k < n; k++) {
         const double next = RW_LEGENDRE_RISE[k] * v * q - RW_LEGENDRE_FALL[k - 1] * before;
@@ -144,7 +34,8 @@ static double legendre_sum_at(int n, const double c[], double v)
     return sum;
 }
 
-static double gauss_sum_at(const rw_element *e, const double load[], double scale, double zeta)
+/* By Gauss's rule; load_i is c(u_i) du_i times twice u_i and the size of the scale. */
+static double gauss_sum(const rw_element *e, const double load[], double scale, double zeta)
 {
     double sum = 0;
     for (int i = 0; i < RW_TERMS; i++)
@@ -155,18 +46,44 @@ static double gauss_sum_at(const rw_element *e, const double load[], double scal
 static double pole_at(const rw_element *e, int n, const double c[], const double load[],
                       double scale, double zeta)
 {
-    const double v = (zeta - e->first) * (2 / (e->last - e->first)) - 1;
-    return 2 * fabs(v) < NEAR_ELLIPSE ? -2 * legendre_sum_at(n, c, v)
-                                      : gauss_sum_at(e, load, scale, zeta);
+    const rw_complex v = rw_pole_place(e, (rw_complex){zeta, 0});
+    return rw_is_near_pole(v) ? -2 * legendre_sum(n, c, v.re) : gauss_sum(e, load, scale, zeta);
 }
 
+/* The real part of the sum over Legendre's functions. */
+static double real_legendre_sum(int n, const double c[], rw_complex v)
+{
+    rw_complex before = rw_first_function(v), q = rw_product(v, before);
+    q.re -= 1;
+    double sum = c[0] * before.re;
+    for (int k = 1; k < n; k++) {
+        const rw_complex next = rw_sum(rw_multiple(RW_LEGENDRE_RISE[k], rw_product(v, q)),
+                                       rw_multiple(-RW_LEGENDRE_FALL[k - 1], before));
+        sum += c[k] * q.re;
+        before = q;
+        q = next;
+    }
+    return sum;
+}
+
+static double far_sum(const double x[], const double load[], double to)
+{
+    double sum = 0;
+    for (int i = 0; i < RW_TERMS; i++)
+        sum += load[i] / (x[i] - to);
+    return sum;
+}
+
+/* J(zeta) + J(-zeta); beyond the end they are conjugate. */
 static double poles_at(const rw_element *e, int n, const double c[], const double load[],
                        double scale, double x)
 {
     const double square = (x - e->end) / e->scale, zeta = sqrt(fabs(square));
-    if (square < 0)
-        return 2 * pole_of(e, n, c, load, scale, (rw_complex){0, zeta}).value.re;
-    return pole_at(e, n, c, load, scale, zeta) + pole_at(e, n, c, load, scale, -zeta);
+    const rw_complex v = rw_pole_place(e, (rw_complex){0, zeta});
+    if (square >= 0)
+        return pole_at(e, n, c, load, scale, zeta) + pole_at(e, n, c, load, scale, -zeta);
+    return rw_is_near_pole(v) ? -4 * real_legendre_sum(n, c, v)
+                              : e->scale / scale * far_sum(e->x, load, x);
 }
 
 /* ---- All of them ---- */
@@ -187,19 +104,11 @@ static double beside(const rw_traction *t, double x, double part)
     return x;
 }
 
-static double far_sum(const double x[], const double load[], double to)
-{
-    double sum = 0;
-    for (int i = 0; i < RW_TERMS; i++)
-        sum += load[i] / (x[i] - to);
-    return sum;
-}
-
 static double element_slope(const rw_element *e, double x)
 {
-    return is_far(e, x, 0)
+    return rw_is_far_from_element(e, x, 0)
                ? far_sum(e->x, e->load, x)
-               : side_of(e) * poles_at(e, e->terms, e->coefficient, e->load, fabs(e->scale), x);
+               : rw_side_of(e) * poles_at(e, e->terms, e->coefficient, e->load, fabs(e->scale), x);
 }
 
 double rw_traction_slope(const rw_traction *t, double x)
@@ -240,9 +149,10 @@ static void add_near(const rw_element *e, size_t n, const double x[], double sum
 {
     const double load = load_of(e);
     for (size_t i = 0; i < n; i++) {
-        const double rest = is_far(e, x[i], 0) ? far_sum(e->x, e->carried, x[i])
-                                               : poles_at(e, e->terms + 2, e->primitive, e->carried,
-                                                          e->scale, x[i]);
+        const double rest =
+            rw_is_far_from_element(e, x[i], 0)
+                ? far_sum(e->x, e->carried, x[i])
+                : poles_at(e, e->terms + 2, e->primitive, e->carried, e->scale, x[i]);
         sum[i] += rest - potential_of_load(e, load, x[i]);
     }
 }
@@ -271,7 +181,7 @@ static void add_potential(const rw_element *e, size_t n, const double x[RW_TERMS
 {
     bool are_far = n > 1;
     for (size_t i = 0; i < n && are_far; i++)
-        are_far = is_far(e, x[i], 0);
+        are_far = rw_is_far_from_element(e, x[i], 0);
     if (are_far)
         add_far(e, load_of(e), x, sum);
     else
@@ -306,86 +216,25 @@ double rw_traction_displacement(const rw_traction *t, double x)
     return w;
 }
 
-static pole far_transform(const rw_element *e, double x, double y)
+static void add_cluster(const rw_traction *t, const rw_cluster *c, const rw_places *places,
+                        const double x[], const double y[], rw_fields *sum)
 {
-    pole sum = {{0, 0}, {0, 0}};
-    for (int i = 0; i < RW_TERMS; i++) {
-        const double d = e->x[i] - x, share = 1 / (d * d + y * y);
-        const rw_complex per = {d * share, y * share};
-        sum.value = rw_sum(sum.value, rw_multiple(e->load[i], per));
-        sum.slope = rw_sum(sum.slope, rw_multiple(e->load[i], rw_product(per, per)));
+    rw_places far, near;
+    far.count = near.count = 0; /* to set their places too takes long */
+    for (int i = 0; i < places->count; i++) {
+        const int place = places->place[i];
+        const bool is_far = rw_is_far(c, x[place], y[place]);
+        rw_places_put(&far, place, is_far);
+        rw_places_put(&near, place, !is_far);
     }
-    return sum;
-}
-
-/* Its field, but for the traction itself on the surface. */
-static rw_field element_field(const rw_element *e, double x, double y)
-{
-    if (y == 0)
-        return (rw_field){element_slope(e, x) / RW_PI, 0, 0, 0};
-    const pole own = is_far(e, x, y) ? far_transform(e, x, y) : transform(e, x, y);
-    return rw_field_multiple(
-        1 / RW_PI, (rw_field){own.value.re, own.value.im, y * own.slope.re, y * own.slope.im});
-}
-
-/* Some of the places. */
-typedef struct {
-    int count, place[RW_BATCH];
-    double x[RW_BATCH], y[RW_BATCH];
-} group;
-
-static void put_in(group *g, int place, double x, double y)
-{
-    g->place[g->count] = place;
-    g->x[g->count] = x;
-    g->y[g->count++] = y;
-}
-
-static void add(rw_field own, int place, rw_fields *sum)
-{
-    const rw_field before = rw_field_in(sum, place);
-    rw_put(sum, place,
-           (rw_field){before.G_re + own.G_re, before.G_im + own.G_im, before.H_re + own.H_re,
-                      before.H_im + own.H_im});
-}
-
-static void add_cluster(const rw_cluster *c, group *far, rw_fields *sum)
-{
-    rw_fields own;
-    rw_cluster_fields(c, far->count, far->x, far->y, &own);
-    for (int i = 0; i < far->count; i++)
-        add(rw_field_in(&own, i), far->place[i], sum);
-}
-
-static void add_element(const rw_element *e, const group *near, rw_fields *sum)
-{
-    for (int i = 0; i < near->count; i++)
-        add(element_field(e, near->x[i], near->y[i]), near->place[i], sum);
-}
-
-/* A place waits until the cluster `next`: it had all before. */
-static void add_clusters(const rw_traction *t, int n, const double x[], const double y[],
-                         rw_fields *sum)
-{
-    const rw_cluster all = all_of(t), *clusters = t->cluster_count > 0 ? t->clusters : &all;
-    const size_t count = t->cluster_count > 0 ? t->cluster_count : 1;
-    size_t next[RW_BATCH] = {0};
-    for (size_t i = 0; i < count;) {
-        const rw_cluster *c = &clusters[i];
-        group far = {.count = 0}, near = {.count = 0};
-        for (int k = 0; k < n; k++) {
-            const bool is_far_off = next[k] <= i && rw_is_far(c, x[k], y[k]);
-            if (next[k] <= i)
-                put_in(is_far_off ? &far : &near, k, x[k], y[k]);
-            if (is_far_off)
-                next[k] = i + 1 + c->parts;
-        }
-        if (far.count > 0)
-            add_cluster(c, &far, sum);
-        for (size_t k = 0; k < c->count && c->parts == 0; k++)
-            add_element(&t->elements[c->first + k], &near, sum);
-        i += near.count > 0 ? 1 : 1 + c->parts;
-    }
+    rw_add_cluster(c, &far, x, y, sum);
+    if (near.count > 0 && c->parts > 0) {
+        const rw_cluster *left = c + 1, *right = left + 1 + left->parts;
+        add_cluster(t, left, &near, x, y, sum);
+        add_cluster(t, right, &near, x, y, sum);
+    } else if (near.count > 0)
+        for (size_t i = 0; i < c->count; i++)
+            rw_add_element(&t->elements[c->first + i], &near, x, y, sum);
 }
 
 void rw_traction_fields(const rw_traction *t, int n, const double x[], const double y[],
@@ -393,15 +242,19 @@ void rw_traction_fields(const rw_traction *t, int n, const double x[], const dou
 {
     double at[RW_BATCH], own[RW_BATCH];
     bool has_surface = false;
+    const rw_cluster all = all_of(t);
+    rw_places places;
+    places.count = 0;
     for (int i = 0; i < n; i++) {
+        rw_places_put(&places, i, true);
         at[i] = y[i] == 0 ? beside(t, x[i], BESIDE) : x[i];
         has_surface = has_surface || y[i] == 0;
     }
     rw_clear_fields(n, fields);
-    add_clusters(t, n, at, y, fields);
+    add_cluster(t, t->cluster_count > 0 ? t->clusters : &all, &places, at, y, fields);
     if (has_surface)
         rw_traction_values(t, (size_t)n, x, own);
     for (int i = 0; i < n && has_surface; i++)
         if (y[i] == 0)
-            fields->G_im[i] = own[i];
+            rw_put(fields, i, (rw_field){fields->G_re[i], own[i], 0, 0});
 }

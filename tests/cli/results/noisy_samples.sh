@@ -35,4 +35,10 @@ same "history goes through them once" yes "$(awk -v a="$applied" -v b="$told" 'B
 most=$([ "$samples" -ge 2000 ] && echo 4 || echo 5)
 same "fretting takes less than $most times as long" yes "$(awk -v a="$applied" -v b="$asked" -v most="$most" 'BEGIN { print b < most * a ? "yes" : "no" }')"
 
+# A profile: many places, each with its stresses and its slip after each sample.
+timed asked fretting log.csv $pad --cycles 1 --x=-0.8:0.8:0.00535
+same "300 places" 300 "$(tail -n +2 out | wc -l | tr -d ' ')"
+echo "300 places: asked in $asked s"
+same "fretting of 300 places takes less than 6 times as long" yes "$(awk -v a="$applied" -v b="$asked" 'BEGIN { print b < 6 * a ? "yes" : "no" }')"
+
 finish

@@ -538,7 +538,7 @@ enum {
     RWEDGE_PAD_PROFILE = 3   /* places: rwedge_contact_create_profile() */
 };
 
-/* The kind of the contact's pad, RWEDGE_PAD_...; -1 for NULL.                                new */
+/* The kind of the contact's pad, RWEDGE_PAD_WEDGE and so on; -1 for NULL.                   new */
 RWEDGE_API int32_t rwedge_contact_kind(const rwedge_contact *contact);
 
 /* The numbers with which a contact was created, to the same bits; 0 for one that its kind of pad

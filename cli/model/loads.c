@@ -30,6 +30,25 @@ bool loads_turn(const load to[], size_t count)
     return false;
 }
 
+bool loads_read_compliance(const char *text, char decimal_sign, const unit_system *units,
+                           double *value, complaint *why)
+{
+    const double width = isnan(units->width) ? 1 : units->width;
+    const char *own = NULL;
+    double number, factor = width;
+    if (!quantity_read(text, decimal_sign, &number, &own))
+        return complain(why, "must be a number, with a decimal %s",
+                        decimal_sign == ',' ? "comma" : "point");
+    if (own != NULL && units_factor(units, own, "length/force", SHARE_NONE, &factor, why)) {
+        if (isnan(units->width))
+            return complain(why, "is of the whole contact; needed: its width too");
+        factor *= width;
+    } else if (own != NULL && !units_factor(units, own, "area/force", SHARE_NONE, &factor, why))
+        return false;
+    *value = number * factor;
+    return (*value >= 0 && number_is_size(*value)) || complain(why, "must be a number not below 0");
+}
+
 static double between(double from, double to, int i, int n)
 {
     return from + (to - from) * i / n;

@@ -177,6 +177,12 @@ bool loads_are_guided(const load to[], size_t count);
 bool loads_are_driven(const load to[], size_t count);
 bool loads_turn(const load to[], size_t count);
 
+/* Reads how far a rig gives way, as a length over a force per unit length. A unit of its own may be
+ * that of the whole contact, a length over a force, as a number without one is where the units have
+ * a width. False, with the rest of a sentence about it. */
+bool loads_read_compliance(const char *text, char decimal_sign, const unit_system *units,
+                           double *value, complaint *why);
+
 /* The loads of a contact. */
 load loads_of(const rwedge_contact *contact);
 

@@ -78,28 +78,21 @@ void history_check(const arguments *line)
 
 /* ---- The rig ---- */
 
-/* The compliance in the working units, per unit length. That of the whole contact is a length over
- * a force. */
+/* The compliance in the working units, per unit length. */
 static double read_compliance(const arguments *line)
 {
     const unit_system *units = units_of(line);
     const char *text = line->value[OPTION_COMPLIANCE], *own = NULL;
-    const double width = isnan(units->width) ? 1 : units->width;
-    double value, factor = width;
+    double value;
     complaint why;
-    if (text == NULL || !quantity_read(text, '.', &value, &own))
-        usage_error("--compliance %s: must be a number", text != NULL ? text : "");
-    if (own != NULL && units_factor(units, own, "length/force", SHARE_NONE, &factor, &why)) {
-        if (isnan(units->width))
-            usage_error("--compliance %s: is of the whole contact; needed: --width too", text);
-        factor *= width;
-    } else if (own != NULL && !units_factor(units, own, "area/force", SHARE_NONE, &factor, &why))
-        usage_error("--compliance %s: %s%s", text, why.text,
-                    units->is_known ? "" : ": --units, such as --units mm,N,MPa, converts it");
-    value *= factor;
-    if (!(value >= 0 && number_is_size(value)))
-        usage_error("--compliance %s: must be a number not below 0", text);
-    return value;
+    if (text == NULL)
+        text = "";
+    if (loads_read_compliance(text, '.', units, &value, &why))
+        return value;
+    const bool has_unit = quantity_read(text, '.', &value, &own) && own != NULL;
+    usage_error("--compliance %s: %s%s", text, why.text,
+                has_unit && !units->is_known ? ": --units, such as --units mm,N,MPa, converts it"
+                                             : "");
 }
 
 /* Gives it to loads that are driven; refuses it where none is. */

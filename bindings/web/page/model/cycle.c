@@ -140,8 +140,11 @@ static bool go_on(void)
         last_cycle_begin(&asked.setup, &asked.wanted, contact, n, &asked.last);
     if (!apply_next(asked.loads.load[i % n], i / n + 1))
         return false;
+    load *to = &asked.loads.load[i % n].to;
+    if (to->is_driven)
+        to->Q = loads_of(contact).Q;
     if (i >= last)
-        last_cycle_add(asked.loads.load[i % n].to, contact, &asked.last);
+        last_cycle_add(*to, contact, &asked.last);
     return true;
 }
 
@@ -152,6 +155,18 @@ static bool has_no_moments(const load_list *loads)
         if (loads->load[i].to.M != 0)
             return json_refuse("", "line %d: M %.6g: of a pad that is held M is a result",
                                loads->load[i].line, loads->load[i].to.M);
+    return true;
+}
+
+/* A rig that prescribes displacements keeps the tilt. */
+static bool keeps_tilt(const load_list *loads)
+{
+    for (size_t i = 1; i < loads->count; i++)
+        if (loads->load[i].to.is_driven && loads->load[i].to.tilt != loads->load[0].to.tilt)
+            return json_refuse("",
+                               "line %d: tilt %.6g: must be that of the first load, %.6g, "
+                               "beside a displacement",
+                               loads->load[i].line, loads->load[i].to.tilt, loads->load[0].to.tilt);
     return true;
 }
 
@@ -167,6 +182,8 @@ static bool hold(void)
     if (asked.setup.is_held && asked.setup.rotation != ROTATION_HELD)
         return json_refuse("", "column tilt: given together with the tilt of the form; allowed: "
                                "one of the two");
+    if (!keeps_tilt(loads))
+        return false;
     return loads_hold(tilt, asked.setup.contact) == RWEDGE_OK ||
            json_refuse("", "tilt %.6g: so large a tilt lays a flank on the surface", tilt);
 }

@@ -2,7 +2,6 @@
 #include "page.h"
 
 #include <math.h>
-#include <math.h>
 #include <string.h>
 
 static const char *remark = ""; /* on the profile */
@@ -12,8 +11,8 @@ static const char PROFILE_NAME[] = "pasted", BETWEEN[] = "\x1e";
 /* What the fields say of all of them. */
 static struct {
     unit_system units;
-    const char *width, *section, *rows; /* of a profile */
-    char rows_sign;                     /* their decimal sign; NUL where it is that of the others */
+    const char *compliance, *width, *section, *rows; /* of a profile */
+    char rows_sign; /* their decimal sign; NUL where it is that of the others */
     profile_making making;
     bool is_of_pad; /* what k and the strength are of */
 } said;
@@ -46,6 +45,11 @@ double field_share(int input)
                         : input_kinds[input].of == SHARE_OF_SECTION ? said.units.section
                                                                     : NAN;
     return isnan(size) ? 1 : size;
+}
+
+const char *field_compliance(void)
+{
+    return said.compliance;
 }
 
 const char *field_remark(void)
@@ -86,6 +90,8 @@ static bool take_other(const char *name, const char *text, input_texts *texts)
         said.width = text;
     else if (strcmp(name, "section") == 0)
         said.section = text;
+    else if (strcmp(name, "compliance") == 0)
+        said.compliance = text;
     else if (strcmp(name, "profile") == 0)
         said.rows = text;
     else if (strcmp(name, "profile_sign") == 0)

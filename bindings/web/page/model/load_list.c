@@ -2,6 +2,7 @@
 #include "page.h"
 
 #include <inttypes.h>
+#include <math.h>
 #include <stdlib.h>
 
 void load_list_add(load_list *loads, load to, int line)
@@ -22,7 +23,11 @@ void load_list_write(const load_list *loads)
         json_add("{'loads':[{'P':%n,'M':%n,'Q':%n,'sigma':%n}]}", to.P, to.M, to.Q, to.sigma);
         if (to.is_guided)
             json_add("{'tilts':[%n]}", to.tilt);
+        if (to.is_driven)
+            json_add("{'displacements':[%n]}", to.displacement);
     }
+    if (loads->count > 0 && loads->load->to.is_driven)
+        json_add("{'compliance':%n}", loads->compliance);
     json_add("{'unused':%t}", loads->unused.text);
 }
 
@@ -47,6 +52,7 @@ static bool take_row(const table_input *rows, load_list *loads)
     if (row->malformed ||
         !load_row_read(&rows->names, row->cell, row->count, '\0', rows->decimal_sign, &to, &why))
         return json_refuse("", "line %" PRId64 ": %s", row->line, why.text);
+    to.compliance = loads->compliance;
     load_list_add(loads, to, (int)row->line);
     return true;
 }
@@ -59,15 +65,33 @@ static bool take_rows(table_input *rows, load_list *loads)
         header_note_unused(&rows->names, rows->in->row.cell);
     }
     loads->unused = rows->remark;
+    if (!isnan(loads->compliance) && header_has_input(&rows->names, INPUT_Q))
+        list_add(loads->unused.text, sizeof loads->unused.text, "; ",
+                 "column Q is not used: the displacement stands in its place");
     header_write_unused(&rows->names, loads->unused.text, sizeof loads->unused.text);
     return rows->in->problem.text[0] != '\0' || loads->count > 0 ||
            json_refuse("", "no loads below the names");
 }
 
+/* The compliance of the form, if it has one. */
+static bool take_compliance(char decimal_sign, load_list *loads)
+{
+    complaint why;
+    const char *text = field_compliance();
+    loads->compliance = NAN;
+    return text == NULL ||
+           loads_read_compliance(text, decimal_sign, field_units(), &loads->compliance, &why) ||
+           json_refuse("compliance", "%s", why.text);
+}
+
 bool load_list_read(const char *text, char decimal_sign, load_list *loads)
 {
     static table_input rows;
-    const reading how = {.decimal_sign = decimal_sign, .units = field_units()};
+    if (!take_compliance(decimal_sign, loads))
+        return false;
+    const reading how = {.decimal_sign = decimal_sign,
+                         .units = field_units(),
+                         .is_driven = !isnan(loads->compliance)};
     const table_wanted wanted = {
         .find = find_columns, .usual = usual_names, .takes_malformed = true};
     pasted_offer(text);

@@ -41,7 +41,8 @@ const char *json_end(void);
  * strain, "strength_of" the body that k is of. "rotation" is "held" or "free", and "similar"
  * neglects what friction of unlike bodies does to the pressure. "hull", "fit", "heights" and
  * "origin" say how the profile is made of them, "units" the working units, "width" what forces of
- * the whole contact are divided by, and "section" what a tension that is a force is. */
+ * the whole contact are divided by, "section" what a tension that is a force is, and "compliance"
+ * how far a rig gives way that prescribes a displacement. */
 input_texts field_texts(char *fields);
 
 /* The units of the last texts; the name of their profile, NULL for none, and how it was made. */
@@ -54,6 +55,9 @@ bool field_is_of_pad(void);
 
 /* What an input of the last texts has been divided by: 1, or the width, or the section. */
 double field_share(int input);
+
+/* How far a rig gives way that prescribes a displacement, of the last texts; NULL for no rig. */
+const char *field_compliance(void);
 
 /* What is to be known of the profile of the last texts; or "". */
 const char *field_remark(void);
@@ -101,12 +105,14 @@ typedef struct {
 typedef struct {
     listed_load *load;
     size_t count;
-    complaint unused; /* columns with numbers */
+    double compliance; /* of the rig that drives all of them; NAN for none */
+    complaint unused;  /* columns with numbers */
 } load_list;
 
 void load_list_add(load_list *loads, load to, int line);
 
-/* False where a row is no load: the answer says why. */
+/* False where a row is no load: the answer says why. With a compliance in the form a rig drives
+ * them. */
 bool load_list_read(const char *text, char decimal_sign, load_list *loads);
 
 /* Adds the loads, and the columns that are not used. */

@@ -54,17 +54,19 @@ function criterionOptions({ name, isPlaneStress, constants }) {
 }
 
 /** The command for a cycle of loads of the case, from { loads, criterion }: printf ... | rwedge fretting ... P and M come first where no table was given. */
-export function asFretting(model, { loads, tilts, criterion }, cycles, hasTable) {
+export function asFretting(model, { loads, tilts, displacements, compliance, criterion }, cycles, hasTable) {
     if (loads.length > SHOWN)
         return `More than ${SHOWN} loads: save them as a file and give it to \u201crwedge fretting\u201d.`;
     const isHeld = "tilt" in model.inputs || tilts || model.texts?.rotation === "held", // the moment is a result
-        ofRow = tilts ? ["P", "tilt", "Q", "sigma"] : isHeld ? ["P", "Q", "sigma"] : ofLoad,
-        valueAt = (i, name) => wholeNumber(name === "tilt" ? tilts[i] : loads[i][name]);
+        columns = tilts ? ["P", "tilt", "Q", "sigma"] : isHeld ? ["P", "Q", "sigma"] : ofLoad,
+        ofRow = displacements ? columns.map((name) => (name === "Q" ? "displacement" : name)) : columns,
+        valueAt = (i, name) => wholeNumber({ tilt: tilts, displacement: displacements }[name]?.[i] ?? loads[i][name]);
     const rows = [ofRow.join(), ...loads.map((_, i) => ofRow.map((name) => valueAt(i, name)).join())];
     const ofPad = model.texts?.strength_of ? ["k", "yield_stress"] : []; // a cycle is of the half-plane
     const options = numbersOf(model).filter(([name]) => !ofLoad.includes(name) && !ofPad.includes(name));
     const before = hasTable ? "" : ` --load ${loads[0].P},${isHeld ? 0 : loads[0].M},0,0`;
-    return `printf '${rows.join("\\n")}\\n' | rwedge fretting -${before} --cycles ${cycles} ${[...options.map(asOption), ...makingOptions(model), ...rotationOption(model), ...criterionOptions(criterion)].join(" ")}`;
+    const rig = displacements ? [`--compliance ${wholeNumber(compliance)}`] : [];
+    return `printf '${rows.join("\\n")}\\n' | rwedge fretting -${before} --cycles ${cycles} ${[...rig, ...options.map(asOption), ...makingOptions(model), ...rotationOption(model), ...criterionOptions(criterion)].join(" ")}`;
 }
 
 const inPython = (value) => (value === "inf" ? "math.inf" : value);

@@ -23,13 +23,14 @@ const { state, setter } = states;
 
 /** The loads of the Cycle tab are the case's, where it is seen and has some. */
 function loadsOfCycle() {
-    const { loads, tilts } = (state.tab === "cycle" && state.loads.trim() !== "" && history.answer) || {};
-    return tilts ? loads.map((load, i) => ({ ...load, tilt: tilts[i] })) : loads;
+    const { loads, tilts, displacements } = (state.tab === "cycle" && state.loads.trim() !== "" && history.answer) || {};
+    const given = (i) => ({ ...(tilts && { tilt: tilts[i] }), ...(displacements && { displacement: displacements[i] }) });
+    return loads?.map((load, i) => ({ ...load, ...given(i) }));
 }
 
 function saveCase() {
-    const { name, sign, material, shipped } = state;
-    const told = { name, texts: present.value.texts, sign, material, shipped, loads: loadsOfCycle(), settings: states.shownSettings() };
+    const { name, sign, material, shipped, compliance } = state;
+    const told = { name, texts: present.value.texts, sign, material, shipped, compliance, loads: loadsOfCycle(), settings: states.shownSettings() };
     download(`${fileName("") || "case"}.json`, writtenCase(told), "application/json");
 }
 

@@ -23,6 +23,7 @@ const settings = {
     probe_x: "0",
     probe_y: "0.05",
     loads: "",
+    compliance: "",
     cycles: "3",
     criterion: "swt",
     plane: "",
@@ -75,7 +76,7 @@ const allowed = {
     factor: factors,
 };
 /** Those that a case file has in words of its own. */
-const ofFile = ["name", "units", "width", "section", "plane", "body", "rotation", "material", "shipped"];
+const ofFile = ["name", "units", "width", "section", "plane", "body", "rotation", "material", "shipped", "compliance"];
 const LONGEST = 20000; // characters of an address that every browser takes
 
 /** texts: of the inputs, by name; way: which of the ways to give an input is chosen. */
@@ -167,9 +168,13 @@ const lengths = ["width", "probe_x", "probe_y", "crack_from", "crack_to"];
 /** The dimension of a load as it is typed: with a width P, Q and M are those of the whole contact, with a section a tension is a force. */
 export function typedDimension(name) {
     const { unit } = inputs[name] ?? {};
+    if (name === "displacement") return "length";
     if (name === "sigma") return state.section.trim() === "" ? unit : "force";
     return state.width.trim() === "" ? unit : ({ "force/length": "force", force: "force*length" }[unit] ?? unit);
 }
+
+/** That of a rig's compliance: with a width it is the one under the force on the whole contact. */
+export const complianceDimension = () => (state.width.trim() === "" ? "area/force" : "length/force");
 
 /** Changes the numbers of the form, the place that is looked at and the lengths of a crack, by their dimensions. */
 function changeNumbers(changed) {
@@ -177,6 +182,7 @@ function changeNumbers(changed) {
         if (name !== "profile") state.texts[name] = changed(text, typedDimension(name));
     for (const name of lengths) state[name] = changed(state[name], "length");
     state.section = changed(state.section, "area");
+    state.compliance = changed(state.compliance, complianceDimension());
 }
 
 function rewriteNumbers() {

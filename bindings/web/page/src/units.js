@@ -8,6 +8,8 @@ const made = (length, force, stress) => ({
     force: force,
     "force/length": `${force}/${length}`,
     "1/stress": `1/${stress}`,
+    "length/force": `${length}/${force}`,
+    "area/force": `${length}\u00b2/${force}`,
     "force*length": `${force}\u00b7${length}`,
     rad: "rad",
     deg: "\u00b0",

@@ -236,6 +236,30 @@ export async function a_cycle_shows_its_worst_places({ page, show }) {
     assert.match(await textOf(page, "#as-fretting"), /^printf .* \| rwedge fretting /);
 }
 
+/** The compliance is asked where loads have a displacement; both go from unit to unit, and to a file and back. */
+export async function a_rig_prescribes_a_displacement_in_place_of_Q({ page, show }) {
+    const asked = () => page.$$eval("#compliance", ([field]) => Boolean(field?.checkVisibility())),
+        rig = inTable([["P", "displacement"], [190, 0], [190, 0.002], [190, -0.002], [190, 0.002]]);
+    await show(usual, { tab: "cycle" });
+    assert.equal(await asked(), false);
+    await enter(page, { loads: rig });
+    await settled(page);
+    assert.match(await textOf(page, "#loads-note"), /a displacement in its place needs the compliance of the rig/);
+    assert.equal(await asked(), true);
+    await enter(page, { compliance: "1e-6" });
+    const { Q_min, Q_max, slip_range } = await shownNumbers(page);
+    assert.deepEqual([Q_min, Q_max], ["-38", "38"]); // f P
+    assert.ok(slip_range > 0.002);
+    assert.match(await textOf(page, "#plot-loop"), /displacement of the rig/);
+    const [{ text }] = await savedBy(page, "#save-case");
+    const { P, displacement, compliance, Q } = JSON.parse(text).loads;
+    assert.deepEqual({ P, displacement, compliance, Q }, { P: Array(4).fill(190), displacement: [0, 0.002, -0.002, 0.002], compliance: 1e-6, Q: undefined });
+    await enter(page, { "set-units": "m" });
+    assert.match(await page.$eval("#compliance", (field) => field.value), /^1e-12$/);
+    assert.match(await page.$eval("#loads", (field) => field.value), /\t2e-0?6\n/);
+    assert.equal(Number((await shownNumbers(page)).Q_max), 38000);
+}
+
 /** Its sentence and picture are there once both lengths are; a new length makes them anew. test/model_claims.js has the numbers. */
 export async function a_crack_shows_whether_it_stops({ page, show }) {
     const texts = { E1: "72100", nu1: "0.33", radius: "60", P: "120", Q: "65", sigma: "20", f: "0.6" };

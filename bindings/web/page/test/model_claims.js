@@ -572,6 +572,60 @@ test("a crack is refused with what is wrong: a K without its unit, lengths, lone
     assert.equal(cycleOf(usual, "", ".", "3", swt).crack, null);
 });
 
+/** 1600 N on 8 mm, in gross slip both ways. */
+const rig = "P [N];displacement [um]\n1600;0\n1600;2\n1600;-2\n1600;2\n",
+    rigTexts = { ...usual, P: "1600", Q: "0", units: "mm,N,MPa", width: "8", compliance: "1e-6" };
+
+test("a rig that prescribes displacements has the tool's forces, slip and energy, and its loop their area", () => {
+    const cycle = cycleOf(rigTexts, rig, ".", "2", swt),
+        { P, Q, width, units, compliance, ...bodiesAlone } = rigTexts,
+        like = ["-", "--units", units, "--width", width, "--compliance", compliance, "--cycles", "2", ...optionsOf(bodiesAlone)],
+        told = run(["fretting", ...like], rig.replaceAll(";", ",")).stderr,
+        history = JSON.parse(run(["history", ...like, "--format", "json"], rig.replaceAll(";", ",")).stdout);
+    for (const [line, name, value] of told.matchAll(/(\w+) (\S+) at x = /g)) assertNear(cycle.worst[name]?.value, Number(value), 5e-6, line);
+    cycle.loads.forEach((load, i) => assertNear(load.Q + 1, history[4 + i].Q + 1, 1e-12, `Q of load ${i}`));
+    assert.deepEqual(cycle.displacements, [0, 0.002, -0.002, 0.002]);
+    assertNear(cycle.compliance, 8e-6, 1e-15, "per unit length");
+    const { x, y, isDriven } = cycle.loop,
+        area = x.reduce((sum, _, i) => sum + ((y[i] + y.at(i - 1)) / 2) * (x[i] - x.at(i - 1)), 0);
+    assert.deepEqual([isDriven, x.length], [true, 96]);
+    assertNear(area, history[7].energy - history[3].energy, 0.02, "a cycle of 96 states");
+    const command = asFretting(solveHolding(rigTexts, "."), cycle, "2", true);
+    assert.equal(runCommand(command).stderr.match(/energy_per_area \S+/)[0], told.match(/energy_per_area \S+/)[0], command);
+});
+
+test("the case of a rig goes to a file and back; the tool has its cycle", () => {
+    const folder = mkdtempSync(`${tmpdir()}/rwedge-page-`),
+        cycle = cycleOf(rigTexts, rig, ".", "3", swt),
+        loads = cycle.loads.map((load, i) => ({ ...load, displacement: cycle.displacements[i] }));
+    const file = writtenCase({ name: "", texts: rigTexts, sign: ".", material: "", loads, compliance: "1e-6", settings: {} });
+    writeFileSync(`${folder}/rig.json`, file);
+    const told = JSON.parse(run(["history", "--case", `${folder}/rig.json`, "--format", "json"]).stdout);
+    told.forEach(({ Q }, i) => assertNear(Q + 1, cycleOf(rigTexts, rig, ".", "1", swt).loads[i].Q + 1, 1e-12, `Q of load ${i}`));
+    const { loads: table, compliance, tab } = readCase(file, String);
+    assert.deepEqual([tab, compliance, table.split("\n")[0]], ["cycle", "0.000001", "P\tM\tdisplacement\tsigma"]);
+    assert.deepEqual(cycleOf(rigTexts, table, ".", "3", swt).worst, cycle.worst);
+    rmSync(folder, { recursive: true });
+});
+
+test("what is missing or wrong of a rig is said", () => {
+    const { compliance, ...noRig } = rigTexts,
+        both = "P;displacement;Q\n1600;0;0\n1600;0,002;8\n",
+        of = (more, loads, sign = ".") => cycleOf({ ...noRig, ...more }, loads, sign, "1", swt);
+    for (const [more, loads, complaint] of [
+        [{}, rig, /^column Q: missing; a displacement in its place needs the compliance of the rig$/],
+        [{ compliance: "1e-6" }, "P,Q\n1600,1\n", /^column displacement: missing; with a compliance loads have it in place of Q/],
+        [{ compliance: "-1" }, rig, /^the compliance of the rig must be a number not below 0$/],
+        [{ compliance: "stiff" }, rig, /^the compliance of the rig must be a number, with a decimal point$/],
+        [{ compliance: "1 N" }, rig, /^the compliance of the rig .*N/],
+        [{ compliance: "1e-3 um/N", width: "" }, rig.replaceAll("[N]", "[N/mm]"), /is of the whole contact; needed: its width too$/],
+    ])
+        assert.match(of(more, loads).complaint ?? "", complaint);
+    assert.equal(of({ compliance: "1e-3 um/N" }, rig).worst.swt.value, of({ compliance: "1e-6" }, rig).worst.swt.value);
+    assert.match(of({ compliance: "1,0e-6" }, both, ",").unused, /column Q is not used: the displacement stands in its place/);
+    assert.match(of({}, both, ",").unused, /displacement/);
+});
+
 test("a cycle, with a table or without, has the tool's worst places; so has its command", () => {
     for (const [more, loads] of [
         [{}, "P\tQ\n190\t20\n190\t-20"],

@@ -5,7 +5,8 @@ import { readNumber } from "../number.js";
 import { textsFor } from "./solution.js";
 import { constantsOf } from "./last_cycle.js";
 
-const LOADS = ["P", "M", "Q", "sigma", "tilt"];
+const LOADS = ["P", "M", "Q", "displacement", "sigma", "tilt"];
+const instead = { M: "tilt", Q: "displacement" }; // of which the other is a result
 
 /** A number where it is one. */
 const valueOf = (text, sign) => {
@@ -18,19 +19,20 @@ const materialOf = (text, sign) => Object.fromEntries(constantsOf(text, sign).ma
 
 /** Columns of a list of loads, of the whole width or section where there is one. */
 function columnsOf(loads, width, section) {
-    const names = LOADS.filter((name) => name in loads[0] && !(name === "M" && "tilt" in loads[0])),
+    const names = LOADS.filter((name) => name in loads[0] && !(instead[name] in loads[0])),
         share = (name) => (["P", "M", "Q"].includes(name) ? width : name === "sigma" ? section : 1);
     return Object.fromEntries(names.map((name) => [name, loads.map((load) => load[name] * share(name))]));
 }
 
 /**
- * The text of a case file. texts: those that the model is told; loads: of a cycle, [{ P, M, Q, sigma }], perhaps with tilt, or undefined:
- * then those of the form are the case's; shipped: the name of a material that the tool has; settings: what the page alone has.
+ * The text of a case file. texts: those that the model is told; loads: of a cycle, [{ P, M, Q, sigma }], perhaps with tilt or
+ * displacement, or undefined: then those of the form are the case's; compliance: of a rig, as it is typed; shipped: the name of a material that the tool has; settings: what the page alone has.
  */
-export function writtenCase({ name, texts, sign, material, shipped, loads, settings }) {
+export function writtenCase({ name, texts, sign, material, shipped, loads, compliance, settings }) {
     const { case: made, width, section } = ask("case", textsFor(texts, sign)),
         { rwedge_case, bodies, pad, loads: ofForm } = made,
         isList = loads?.length > 0,
+        rig = isList && "displacement" in loads[0] ? { compliance: valueOf(compliance, sign) } : {},
         options = { ...settings, ...(isList ? ofForm : {}) };
     const file = {
         rwedge_case,
@@ -45,7 +47,7 @@ export function writtenCase({ name, texts, sign, material, shipped, loads, setti
             ...(texts.similar && { similar: true }),
         },
         pad: { ...pad, ...(texts.rotation && { rotation: texts.rotation }) },
-        loads: isList ? columnsOf(loads, width ?? 1, section ?? 1) : ofForm,
+        loads: isList ? { ...columnsOf(loads, width ?? 1, section ?? 1), ...rig } : ofForm,
         ...(material.trim() && { material: shipped || materialOf(material, sign) }),
         asked: { command: "page", options },
     };
@@ -98,9 +100,10 @@ export function readCase(text, write) {
     answered(ask("case_version", rwedge_case ?? NaN));
     const groups = Object.fromEntries(Object.entries(rest).filter(([group]) => knows("case_group", group))),
         others = Object.fromEntries(Object.entries(rest).filter(([word]) => !(word in groups)));
-    const taken = { texts: {}, lists: {}, words: {}, write },
+    const { compliance = "", ...ofLoads } = groups.loads ?? {},
+        taken = { texts: {}, lists: {}, words: {}, write },
         told = ["units", "width", "section"].filter((word) => word in others).map((word) => `${word}=${others[word]}`).join("\x1e"),
-        list = groups.loads && listsOf(groups.loads);
+        list = groups.loads && listsOf(ofLoads);
     takeGroup("", others, told, taken);
     for (const [group, values] of Object.entries(groups)) if (!(group === "loads" && list)) takeGroup(group, values, told, taken);
     const { x, ...column } = taken.lists;
@@ -117,6 +120,7 @@ export function readCase(text, write) {
         units: units ?? "",
         width: width ?? "",
         section: section ?? "",
+        compliance: list ? setting(compliance) : "",
         plane: plane_stress && "stress",
         body: strength_of === "2" ? "2" : "",
         rotation: similar ? "similar" : rotation,

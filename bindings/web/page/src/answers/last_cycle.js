@@ -26,7 +26,7 @@ export function constantsOf(text, sign) {
 const linesOfMaterial = (text, sign) => constantsOf(text, sign).map((entry) => entry.join("=")).join("\n");
 
 /**
- * { loads, unused, slipKnown, computed: a remark, x, measured and worst by name, loop where there is one, limit, safety, life: null where not known,
+ * { loads, perhaps tilts, or displacements and the compliance of a rig, unused, slipKnown, computed: a remark, x, measured and worst by name, loop where there is one, limit, safety, life: null where not known,
  * criterion with the constants it needs } or { complaint }. text: pasted loads, which are gone through so many times; without any the
  * case's own Q and sigma go to and fro. chosen: { name of the criterion, isPlaneStress, material: its text, units: "mm,N,MPa", "" for any }. crack: what
  * crackOf() takes where one is asked; its answer is `crack`. told() hears the share of the loads that is done.
@@ -50,8 +50,8 @@ export function cycleOf(texts, text, sign, times, chosen, crack = null, told = (
     ];
     goThrough("cycle", asked, told);
     const { faults, constants = {}, ...answer } = ask("cycle_answer");
-    const ofCriterion = ({ input, text }) => (input === "criterion" ? `${criteria[chosen.name]} ${text}` : text);
-    if (faults) return { complaint: faults.map(ofCriterion).join("; ") };
+    const subject = { criterion: criteria[chosen.name], compliance: "the compliance of the rig" };
+    if (faults) return { complaint: faults.map(({ input, text }) => [subject[input], text].filter(Boolean).join(" ")).join("; ") };
     const found = { measured: {}, worst: {}, ...answer, criterion: { ...chosen, constants } },
         before = answeredContact(),
         loop = loopOf(before, found);

@@ -10,7 +10,7 @@ const linesFor = (texts, sign, write) =>
 
 /**
  * The texts for the model, one after the other, with their decimal sign: of inputs; "hull", "fit", "heights", "origin" of the profile;
- * "units", "width", "section", "plane_stress", "strength_of", "rotation" and "similar".
+ * "units", "width", "section", "compliance", "plane_stress", "strength_of", "rotation" and "similar".
  */
 export const textsFor = (texts, sign) => [`decimal_sign=${sign}`, ...linesFor(texts, sign, withSign)].join("\x1e");
 

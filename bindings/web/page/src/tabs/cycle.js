@@ -8,7 +8,7 @@ import { copyButton, options } from "../parts.js";
 import { roomy } from "../plot/axes.js";
 import { curvePlot } from "../plot/live.js";
 import { withUnit } from "../model.js";
-import { redraw, set, setter, state, written } from "../state.js";
+import { complianceDimension, redraw, set, setter, state, written } from "../state.js";
 import { wordsOf } from "../units.js";
 import { bar } from "../verdict.js";
 import { criteria, measures } from "../answers/words.js";
@@ -41,12 +41,13 @@ function fatigueOf(answer, model) {
     return alongOf(answer, model, name, `${criteria[name]} along the surface`, answer.limit);
 }
 
-const loopNames = ({ isWhole }) => (isWhole ? ["displacement by slip", "Q"] : ["slip", "q"]);
+const loopNames = ({ isWhole, isDriven }) => (isDriven ? ["displacement", "Q"] : isWhole ? ["displacement by slip", "Q"] : ["slip", "q"]);
 
 function loopOf({ loop }, { unit, write }) {
     if (!loop) return "";
     const ofPlace = `shear traction over slip at x = ${write(loop.place)}`,
-        name = loop.isWhole ? "tangential load over displacement by slip" : ofPlace,
+        ofWhole = `tangential load over displacement ${loop.isDriven ? "of the rig" : "by slip"}`,
+        name = loop.isWhole ? ofWhole : ofPlace,
         [xName, yName] = loopNames(loop);
     return {
         title: `Loop of the cycle: ${name}`,
@@ -83,6 +84,14 @@ function verdictRows({ limit, safety, life }, { write }) {
     ];
 }
 
+/** The force that a rig needs. */
+function forceRows({ loads, displacements }, { unit, write }) {
+    const all = displacements ? loads.map(({ Q }) => Q) : [],
+        row = (name, of, meaning) => ({ name, value: write(of), unit: unit["force/length"], meaning });
+    const [least, most] = all.reduce(([a, b], Q) => [Math.min(a, Q), Math.max(b, Q)], [Infinity, -Infinity]);
+    return all.length === 0 ? [] : [row("Q_min", least, "the smallest Q, which the rig needs"), row("Q_max", most, "the largest Q")];
+}
+
 function worstTable(answer, model) {
     const { worst } = answer,
         { unit, write } = model,
@@ -93,7 +102,7 @@ function worstTable(answer, model) {
         unit: unitOf(name, unit),
         meaning: `at x = ${write(worst[name].x)}: ${measures[name].meaning}`,
     }));
-    return table("The worst places", [...rows, ...verdictRows(answer, model)]);
+    return table("The worst places", [...rows, ...forceRows(answer, model), ...verdictRows(answer, model)]);
 }
 
 const surfaceColumns = ({ x, measured }, unit) => [
@@ -114,11 +123,20 @@ function remarkOf(answer) {
         .join(". ");
 }
 
+/** Where the loads have a displacement in place of Q, or a compliance is typed. */
+const hasRig = () => /\bdisplacement/i.test(state.loads.trimStart().split("\n")[0]) || state.compliance.trim() !== "";
+
+const rig = ({ unit }) => html`<p class="tools"><label for="compliance">Compliance of the rig</label>
+    <input id="compliance" type="text" size="16" autocomplete="off" spellcheck="false" placeholder="0 where it is stiff"
+        aria-describedby="loads-note" .value=${live(state.compliance)} @input=${setter("compliance")}>
+    <span class="unit">${unit[complianceDimension()]}</span></p>`;
+
 /** What is typed and chosen. */
-const entries = () => html`
-    <label for="loads">Loads of a cycle, pasted from a spreadsheet: columns P and Q, perhaps M or tilt, and sigma</label>
+const entries = (model) => html`
+    <label for="loads">Loads of a cycle, pasted from a spreadsheet: columns P and Q, or the displacement of a rig; perhaps M or tilt, and sigma</label>
     <textarea id="loads" rows="5" placeholder="P\tQ" spellcheck="false" aria-describedby="loads-note"
         aria-invalid=${Boolean(aside.answer?.complaint)} .value=${live(state.loads)} @input=${setter("loads")}></textarea>
+    ${hasRig() ? rig(model) : nothing}
     <p class="tools"><label for="cycles">gone through</label>
         <input id="cycles" type="text" size="4" inputmode="numeric" spellcheck="false" .value=${live(state.cycles)}
             @input=${setter("cycles")}>times; the last time counts</p>
@@ -148,8 +166,9 @@ export const worstPlace = () =>
 
 export function cycle(model) {
     const { loads, sign, cycles, criterion: name, plane, material, units } = state;
+    const compliance = state.compliance.trim();
     const answer = aside.ask([
-        model.texts,
+        { ...model.texts, ...(compliance && { compliance }) },
         loads,
         sign,
         cycles,
@@ -158,7 +177,7 @@ export function cycle(model) {
     ]);
     const shown = answer ?? aside.before ?? { complaint: "" };
     const command = answer && answer.complaint === undefined ? asFretting(model, answer, cycles.trim(), loads.trim() !== "") : "";
-    return html`${entries()}
+    return html`${entries(model)}
         ${materialPart(model)}
         ${waiting(aside)}
         <p id="loads-note" class="note ${answer?.complaint ? "bad" : ""}" aria-live="polite">${answer ? remarkOf(answer) : ""}</p>

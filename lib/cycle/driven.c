@@ -49,17 +49,20 @@ static int32_t reason(const rig *r, double Q)
     return status == RWEDGE_OK ? RWEDGE_EPATH : status;
 }
 
-/* Q, and how far the bodies slide besides; NaN where the root, or how far, is not known. */
+/* Q, and how far the bodies slide besides; NaN where the root, or how far, is not known. The side
+ * on which the contact is comes first. */
 static double find(const rig *r, double *slid)
 {
-    const double limit = r->contact->f * r->P;
-    const double most = beyond_with(limit, r), least = beyond_with(-limit, r);
-    if (isnan(least) || isnan(most))
-        return NAN;
-    *slid = most < 0 ? -most : least > 0 ? -least : 0;
-    return most <= 0    ? limit
-           : least >= 0 ? -limit
-                        : rw_root(beyond_with, r, -limit, limit, 1e-15 * limit);
+    const double limit = r->contact->f * r->P, way = r->contact->loads.Q < 0 ? -1 : 1;
+    for (int i = 0; i < 2; i++) {
+        const double side = i == 0 ? way : -way, past = beyond_with(side * limit, r);
+        if (isnan(past))
+            return NAN;
+        *slid = past * side < 0 ? -past : 0;
+        if (past * side <= 0)
+            return side * limit;
+    }
+    return rw_root(beyond_with, r, -limit, limit, 1e-15 * limit);
 }
 
 /* Slides on. Where it slid the same way before, P grew or fell on the way. */

@@ -49,31 +49,41 @@ static int32_t find_verge(const rwedge_contact *contact, rw_goal to, rwedge_cont
     return RWEDGE_EPATH;
 }
 
+/* Whether a contact of which the slip is known slides on the same way. */
 static bool slides_on(const rwedge_contact *before, const rwedge_contact *contact)
 {
-    return before->phase == RW_SLIDING && before->loads.Q * contact->loads.Q > 0;
+    return before->phase == RW_SLIDING && before->loads.Q * contact->loads.Q > 0 &&
+           rw_contact_knows_slip(before);
 }
 
-/* The energy of a contact that slides on: all places slip by a shift and a slope. */
+/* The slip in a step between two states that slide the same way, whose heights are the same: shift
+ * + slope x. */
+static rw_slide slip_between(rw_slide from, rw_slide to)
+{
+    return (rw_slide){to.shift - from.shift, to.slope - from.slope, 0};
+}
+
+/* The displacement with which the contact just slides on: no place slips back in the step. */
+static double least_displacement(const rwedge_contact *before, const rwedge_contact *contact)
+{
+    const rw_patch old = rw_memory_end(&before->memory)->patch,
+                   now = rw_memory_end(&contact->memory)->patch;
+    const rw_slide step =
+        slip_between(slide_of(before, displacement_of(before)), slide_of(contact, 0));
+    const double left = step.shift + step.slope * fmax(old.left, now.left),
+                 right = step.shift + step.slope * fmin(old.right, now.right);
+    return contact->loads.Q > 0 ? fmax(left, right) : fmin(left, right);
+}
+
+/* The energy of a contact that slides on. */
 static double work_of(const rwedge_contact *before, const rwedge_contact *contact)
 {
-    const rw_slide from = slide_of(before, displacement_of(before)), to = contact->drive.slide;
+    const rw_slide step =
+        slip_between(slide_of(before, displacement_of(before)), contact->drive.slide);
     const double way = contact->loads.Q > 0 ? -1 : 1;
     const double P = before->loads.P / 2 + contact->loads.P / 2,
                  M = before->loads.M / 2 + contact->loads.M / 2;
-    return way * contact->f * (P * (to.shift - from.shift) + M * (to.slope - from.slope));
-}
-
-/* What has been dissipated. */
-static void add_energy(const rwedge_contact *before, const rwedge_contact *verge,
-                       rwedge_contact *contact)
-{
-    if (!slides_on(before, contact)) {
-        contact->energy = rw_contact_of_slip(verge)->energy;
-        return;
-    }
-    contact->energy = before->energy;
-    contact->energy.sum += work_of(before, contact);
+    return way * contact->f * (P * step.shift + M * step.slope);
 }
 
 /* From now on slip counts from here. */
@@ -87,16 +97,31 @@ static void count_slip(rwedge_contact *contact, double displacement)
     slip->settled = rw_memory_end(&contact->memory)->patch;
 }
 
-int32_t rw_contact_know_slide(const rwedge_contact *before, rw_goal to, rwedge_contact *contact)
+static void slide_on(const rwedge_contact *before, rwedge_contact *contact)
 {
-    if (contact->phase != RW_SLIDING || !contact->sliding.is_off_centre || contact->unlike)
-        return RWEDGE_OK;
+    count_slip(contact, least_displacement(before, contact));
+    contact->energy = before->energy;
+    contact->energy.sum += work_of(before, contact);
+}
+
+static int32_t begin_to_slide(const rwedge_contact *before, rw_goal to, rwedge_contact *contact)
+{
     rwedge_contact *verge = NULL;
     const int32_t status = find_verge(before, to, &verge);
     if (status == RWEDGE_OK) {
         count_slip(contact, displacement_of(verge));
-        add_energy(before, verge, contact);
+        contact->energy = rw_contact_of_slip(verge)->energy;
     }
     rwedge_contact_destroy(verge);
     return status == RWEDGE_ENOMEM ? status : RWEDGE_OK;
+}
+
+int32_t rw_contact_know_slide(const rwedge_contact *before, rw_goal to, rwedge_contact *contact)
+{
+    if (contact->phase != RW_SLIDING || !contact->sliding.is_off_centre || contact->unlike)
+        return RWEDGE_OK;
+    if (!slides_on(before, contact))
+        return begin_to_slide(before, to, contact);
+    slide_on(before, contact);
+    return RWEDGE_OK;
 }

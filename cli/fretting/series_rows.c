@@ -127,7 +127,7 @@ static void write_results(const job *j, const test_run *run, records *rows)
     records_value(rows, cell_text(doubtful));
 }
 
-/* As many empty cells. */
+/* Writes as many empty cells. */
 static void write_none(const job *j, records *rows)
 {
     const series *all = &j->table->all;

@@ -200,7 +200,7 @@ static void read_profile(const series_table *table, const arguments *line, const
         notice("%s", profiles_read(name, &how, &making));
 }
 
-/* Those that a row names, before threads run it. */
+/* Reads the files that a row names, before threads run it. */
 static void read_files(const arguments *line, char decimal_sign, logs *files,
                        const series_table *table, test_row *row)
 {

@@ -153,7 +153,7 @@ static load_fault domain_fault(load to, const rwedge_contact *contact)
                     most);
 }
 
-/* Of a displacement. */
+/* What is wrong with a displacement. */
 static load_fault drive_fault(load to, const rwedge_contact *contact)
 {
     if (rwedge_contact_beta(contact) != 0)

@@ -54,7 +54,7 @@ static void put_digits(output *out, double value, int digits)
     output_print(out, "%s%s", value < 0 ? "−" : "", text);
 }
 
-/* Of a result. */
+/* Puts the number of a result. */
 static void put_number(output *out, double value)
 {
     put_digits(out, value, DIGITS);

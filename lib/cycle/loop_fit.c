@@ -257,7 +257,7 @@ typedef struct {
     double value[PARTS], uncertainty[PARTS], told[PARTS], regime;
 } result;
 
-/* Of the linear problem, by the noise. */
+/* The uncertainty of a part of the linear problem, by the noise. */
 static bool find_uncertainty(const normal *equations, int part, double noise, double *uncertainty)
 {
     double column[PARTS] = {part == 0, part == 1, part == 2};

@@ -48,7 +48,7 @@ static void note_bend(bends *b, place at)
     b->jump[i] = jump;
 }
 
-/* Of an arc; a kink has no length. */
+/* The curvature of an arc; a kink has no length. */
 static double curvature_of(double weight, double half_length)
 {
     return half_length > DBL_MIN ? fmin(weight / half_length, DBL_MAX) : DBL_MAX;

@@ -238,7 +238,7 @@ RW_INLINE void sum_moments(const rw_fronts *f, const rw_stuck *s, double moment[
 RW_DISPATCH(set_moments, sum_moments, (const rw_fronts *f, const rw_stuck *s, double moment[]),
             (f, s, moment))
 
-/* At infinity Omega + stretch is the stretch less the load over pi z: a row of A p = B for each
+/* Omega + stretch is, at infinity, the stretch less the load over pi z: a row of A p = B for each
  * power of z from m - 1 to -1. */
 static void conditions_at_infinity(const rw_fronts *f, const rw_stuck *s, double A[], double B[])
 {

@@ -121,8 +121,8 @@ double rw_fronts_transform(const rw_fronts *fronts, double x);
 void rw_fronts_lack(const rw_fronts *fronts, const rw_stuck *stuck, size_t n, const double x[],
                     double lack[]);
 
-/* At n <= RW_TERMS places of one zone: the traction after the step where it sticks, and w' less the
- * part of the layers where it slips, for p = 0. */
+/* The traction after the step where one zone sticks, and w' less the part of the layers where it
+ * slips, for p = 0: at n <= RW_TERMS places of it. */
 void rw_fronts_stick_traction(const rw_fronts *fronts, const rw_stuck *stuck, size_t n,
                               const double x[], double t[]);
 void rw_fronts_slope(const rw_fronts *fronts, const rw_stuck *stuck, int label, size_t n,

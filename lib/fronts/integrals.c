@@ -13,7 +13,7 @@
 /* The order of a panel is RW_TERMS, or less where few digits are asked for. */
 enum { FEW_TERMS = 8 };
 
-/* Of the half-width: distances from a front are at least AT_FRONT. A panel there is at least as
+/* Distances from a front, over the half-width, are at least AT_FRONT. A panel there is at least as
  * wide as NARROWEST, unless its segment is narrow itself: rounding does not move its points. */
 static const double AT_FRONT = 1e-15, NARROWEST = 1e-10;
 
@@ -367,7 +367,7 @@ RW_DISPATCH(set_shares, sum_shares,
              double sum[RW_TERMS]),
             (n, share, distance, away, sum))
 
-/* At the end of a segment dt/X is level/sqrt(distance). Of such a function the integral over the
+/* dt/X is level/sqrt(distance) at the end of a segment. Of such a function the integral over the
  * last panel is known. */
 static void lack_at_end(const rw_fronts *f, const rw_segment *s, int side, size_t n,
                         const double x[], double lack[RW_TERMS])

@@ -108,7 +108,7 @@ void rw_layer_values(const rw_problem *p, int count, size_t n, const double x[],
                                              rest_friction(p->frame->f, &p->rest[k][0], x[i]);
 }
 
-/* That of the polynomial slope of a layer, outside of its patch. */
+/* The rest of the polynomial slope of a layer, outside of its patch. */
 static double rest_slope(const rw_problem *p, const rw_layer_rest *rest, double x)
 {
     const rw_patch patch = rest->patch;

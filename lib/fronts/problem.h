@@ -78,11 +78,11 @@ void rw_problem_init(rw_problem *p, const rw_frame *frame, const rw_friction *be
 /* The change of the loads as a traction. */
 double rw_problem_change(const rw_problem *p);
 
-/* At n places: the limit of friction F = f |p| after the step, and before it. */
+/* The limit of friction F = f |p| at n places, after the step and before it. */
 void rw_friction_after(const rw_problem *p, size_t n, const double x[], double F[]);
 void rw_friction_before(const rw_problem *p, size_t n, const double x[], double F[]);
 
-/* At n places: the change of traction by each layer, per weight, that of layer k from
+/* The change of traction at n places by each layer, per weight, that of layer k from
  * change[k * stride] on; F is the friction after the step there. */
 void rw_layer_values(const rw_problem *p, int count, size_t n, const double x[], const double F[],
                      size_t stride, double change[]);
@@ -99,7 +99,7 @@ double rw_layers_ratio(const rw_frame *frame, const rw_friction *friction, rw_pa
 /* The changes of shear load and stretch, less those that the layers make. */
 void rw_beside_layers(const rw_problem *p, const rw_layers *layers, double *shear, double *stretch);
 
-/* At n <= RW_TERMS places: the old traction plus the layers. */
+/* The old traction plus the layers, at n <= RW_TERMS places. */
 void rw_base_traction(const rw_problem *p, const rw_layers *layers, size_t n, const double x[],
                       double t[]);
 

@@ -184,7 +184,7 @@ static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, dou
     return is_done;
 }
 
-/* To the moment at which slip begins at an edge. Tries what is left as a whole. */
+/* Goes to the moment at which slip begins at an edge, and tries what is left as a whole. */
 static bool advance_to_onset(load_work *j, int division, rw_scaled_loads to, double length,
                              int effort, double onset)
 {
@@ -277,8 +277,8 @@ static double added(const rw_numerical *n, const rw_numerical *next)
     return next ? rw_numerical_error(next) - rw_numerical_error(n) : HUGE_VAL;
 }
 
-/* Over the tolerance: what a load adds to the error before it is tried once more; the tolerance
- * then. */
+/* What a load adds to the error before it is tried once more, and the tolerance then, over the
+ * tolerance. */
 static const double TRY_AGAIN = 2, LOOSER = 10;
 
 /* A load that adds much to the error is tried once more, with more tolerance and a quarter of the

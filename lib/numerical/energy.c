@@ -35,7 +35,8 @@ static double power_at_start(const way *l)
     return power_of(l, from->contact, &begun);
 }
 
-/* At a part of the way, where the zones are like those at the next moment that is known. */
+/* The power at a part of the way, where the zones are like those at the next moment that is
+ * known. */
 static double power_at(const way *l, double part)
 {
     const rw_scaled_loads at = rw_part_of_line(l->from->at, l->there->at, part);
@@ -60,9 +61,10 @@ static double by_three(double length, const double power[])
     return length * (power[0] + 4 * power[1] + power[2]) / 6;
 }
 
-/* Over a part of the way with this power at its ends and in the middle. Where slip passes the marks
- * of earlier loads the power jumps: there the parts become shorter, as long as two rules differ by
- * more than is allowed. A jump is in one part of its length: what is allowed is for each part. */
+/* The integral over a part of the way with this power at its ends and in the middle. Where slip
+ * passes the marks of earlier loads the power jumps: there the parts become shorter, as long as two
+ * rules differ by more than is allowed. A jump is in one part of its length: what is allowed is for
+ * each part. */
 static estimate integral(const way *l, double from, double to, const double power[], double allowed,
                          int halvings)
 {

@@ -22,7 +22,7 @@ static void origin_at_first(const double x[], const void *context, double origin
         origin[i] = slip[i] - w[i];
 }
 
-/* Over what friction and what the stretch moves. */
+/* The tolerance of slip, in proportion to what friction and the stretch move. */
 static double slip_tolerance(const rw_frame *frame, const rw_numerical_state *s)
 {
     return RW_FIT_OF_SLIP * frame->tolerance * rw_patch_half_width(s->contact) *

@@ -72,7 +72,7 @@ static double largest_slip(const rw_fronts *f, const rw_stuck *s, rw_zone zone, 
     return most / sqrt(fabs(length) * s->half);
 }
 
-/* Of the rate of friction at an edge, where it is like 1/sqrt: > 0 where the edge grows. */
+/* The factor of the rate of friction at an edge, which is like 1/sqrt: > 0 where the edge grows. */
 static double edge_rate(const rw_problem *p, int side)
 {
     const double sign = side ? 1 : -1;
@@ -85,7 +85,7 @@ static bool sticks_at_edge(const rw_zones *zones, int side)
     return zones->zone[side ? zones->count - 1 : 0].label == 0;
 }
 
-/* With the sign of the rates. */
+/* The ratio has the sign of the rates. */
 static double ratio_at(const rw_problem *p, const rw_zones *zones, int sign, const rw_stuck *s,
                        int side)
 {
@@ -332,7 +332,7 @@ double rw_rates_excess_at_start(rw_fronts *f, const rw_problem *p, const rw_zone
 
 /* ---- Power ---- */
 
-/* That of a zone, from the front on. */
+/* The power in a zone, from the front on. */
 static double power_in(const rw_fronts *f, const rw_stuck *s, rw_zone zone)
 {
     double front, slip = 0, power = 0;

@@ -86,7 +86,7 @@ static void ratios_at_start(rw_work *w, const rw_problem *p, const rw_zones *aft
     rw_rates_ratio(&w->fronts, &w->start, &begun, D);
 }
 
-/* Of D at the edges that stick; HUGE_VAL where it was or is not known. */
+/* The change of D at the edges that stick; HUGE_VAL where it was or is not known. */
 static double change_of_ratios(const rw_fronts *f, const double before[2], const double D[2])
 {
     double most = 0;

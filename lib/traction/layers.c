@@ -3,13 +3,14 @@
 
 #include "base/domain.h"
 
-/* With A the tilt and m_j the moments: A u^k + sum_(j<k) u^(k-1-j) m_j/(pi half). */
+/* Coefficients of A u^k + sum_(j<k) u^(k-1-j) m_j/(pi half), with A the tilt and m_j the
+ * moments. */
 static double coefficient(rw_power_scale scale, double tilt, const double moment[], int k, int n)
 {
     return n == k ? tilt : moment[k - 1 - n] / (RW_PI * scale.half);
 }
 
-/* By Horner's rule in powers of the place in the patch. */
+/* Horner's rule gives powers of the place in the patch. */
 rw_layer_rest rw_layer_rest_of(rw_power_scale scale, rw_patch patch, double tilt,
                                const double moment[], int k)
 {

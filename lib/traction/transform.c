@@ -34,7 +34,7 @@ static double legendre_sum(int n, const double c[], double v)
     return sum;
 }
 
-/* By Gauss's rule; load_i is c(u_i) du_i times twice u_i and the size of the scale. */
+/* The pole by Gauss's rule; load_i is c(u_i) du_i times twice u_i and the size of the scale. */
 static double gauss_sum(const rw_element *e, const double load[], double scale, double zeta)
 {
     double sum = 0;

@@ -19,7 +19,7 @@ rw_sliding_frame rw_sliding_frame_of(rw_sliding_way slides, rw_patch patch)
                               .whole = rule->whole};
 }
 
-/* From the left edge on, J is known. */
+/* J is known from the left edge on. */
 static rw_place place_at(const rw_sliding_frame *f, double at)
 {
     const double a = f->rule->a;

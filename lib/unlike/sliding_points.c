@@ -6,8 +6,8 @@
 #include "base/exponential.h"
 #include "unlike/real_series.h"
 
-/* Beyond so many half-widths from the middle the terms would cancel: it is a series in 1/z there.
- */
+/* Beyond so many half-widths from the middle the terms would cancel: it is a series in 1/z
+ * there. */
 static const double FAR = 3;
 
 /* The square of a distance that is none. */
@@ -157,7 +157,7 @@ RW_INLINE void see(const rw_sliding_points *restrict p, const view *restrict v, 
     s->log_im[k] = rw_angle(d, h) - rw_if_negative(form, p->angle_left[i], p->angle_right[i]);
 }
 
-/* Of each kind that is there its series. */
+/* Sums the series of each kind that is there. */
 RW_INLINE void sum_series(const rw_sliding_frame *f, int vector, seen *restrict s)
 {
     const double *const table[] = {f->rule->far, f->other->far, f->rule->near, f->other->near};

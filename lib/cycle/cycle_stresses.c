@@ -60,12 +60,16 @@ static int32_t slip_measures(const rwedge_cycle *cycle, size_t n, const double x
     rw_piece_sum *room = rw_cycle_room(cycle);
     const int32_t status =
         surface && sxx && room ? rw_cycle_stresses(cycle, n, x, surface, sxx) : RWEDGE_ENOMEM;
+    rw_slip_measures at[RW_SLIP_PLACES];
     for (size_t i = 0; i < n && status == RWEDGE_OK; i++) {
-        const rw_slip_measures at = rw_slip_measures_at(cycle, x[i], room);
-        slip_range[i] = at.slip_range;
-        ruiz_f1[i] = at.shear * at.slip_range;
+        const size_t k = i % RW_SLIP_PLACES;
+        if (k == 0)
+            rw_slip_measures_at(cycle, n - i < RW_SLIP_PLACES ? n - i : RW_SLIP_PLACES, x + i, room,
+                                at);
+        slip_range[i] = at[k].slip_range;
+        ruiz_f1[i] = at[k].shear * at[k].slip_range;
         ruiz_f2[i] = fmax(rw_largest_stress(cycle, n, sxx, i), 0) * ruiz_f1[i];
-        energy[i] = at.energy;
+        energy[i] = at[k].energy;
     }
     free(surface);
     free(sxx);

@@ -228,27 +228,52 @@ static void begin(place *at)
     at->shear = shear_at(at, 0);
 }
 
-rw_piece_sum *rw_cycle_room(const rwedge_cycle *cycle)
+static size_t room_of_place(const rwedge_cycle *cycle)
 {
-    return malloc((cycle->on_the_way.most + 1) * sizeof(rw_piece_sum));
+    return cycle->on_the_way.most + 1;
 }
 
-rw_slip_measures rw_slip_measures_at(const rwedge_cycle *cycle, double x, rw_piece_sum room[])
+rw_piece_sum *rw_cycle_room(const rwedge_cycle *cycle)
 {
-    place at = {.cycle = cycle, .x = x, .own = cycle->on_the_way.own.all, .sums = room};
-    room[0] = (rw_piece_sum){0, 0};
-    at.least = HUGE_VAL;
-    at.most = -HUGE_VAL;
-    at.inside = off_the_edges(cycle, x);
-    at.height = rw_profile_height(&cycle->before->geometry, at.inside);
-    for (size_t i = 0; i < cycle->count; i++) {
-        follow(&at, i);
-        if (i == 0)
-            begin(&at);
-        else if (is_in(&cycle->states[i], cycle->rounding, at.inside))
-            go_to(&at, i);
-        else if (at.touches)
-            leave(&at, i);
-    }
-    return (rw_slip_measures){fmax(at.most - at.least, 0), at.shear, at.energy};
+    return calloc(RW_SLIP_PLACES * room_of_place(cycle), sizeof(rw_piece_sum));
+}
+
+static place place_at(const rwedge_cycle *cycle, double x, rw_piece_sum room[])
+{
+    const double inside = off_the_edges(cycle, x);
+    return (place){.cycle = cycle,
+                   .x = x,
+                   .inside = inside,
+                   .height = rw_profile_height(&cycle->before->geometry, inside),
+                   .sums = room,
+                   .own = cycle->on_the_way.own.all,
+                   .least = HUGE_VAL,
+                   .most = -HUGE_VAL};
+}
+
+static void step_to(place *at, size_t state)
+{
+    const rwedge_cycle *cycle = at->cycle;
+    follow(at, state);
+    if (state == 0)
+        begin(at);
+    else if (is_in(&cycle->states[state], cycle->rounding, at->inside))
+        go_to(at, state);
+    else if (at->touches)
+        leave(at, state);
+}
+
+/* All places go from state to state together: one that is computed has much to be read. */
+void rw_slip_measures_at(const rwedge_cycle *cycle, size_t n, const double x[], rw_piece_sum room[],
+                         rw_slip_measures measures[])
+{
+    place at[RW_SLIP_PLACES];
+    for (size_t i = 0; i < n; i++)
+        at[i] = place_at(cycle, x[i], room + i * room_of_place(cycle));
+    for (size_t state = 0; state < cycle->count; state++)
+        for (size_t i = 0; i < n; i++)
+            step_to(&at[i], state);
+    for (size_t i = 0; i < n; i++)
+        measures[i] =
+            (rw_slip_measures){fmax(at[i].most - at[i].least, 0), at[i].shear, at[i].energy};
 }

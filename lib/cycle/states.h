@@ -97,7 +97,7 @@ typedef struct {
     double slip_range, shear, energy; /* shear: the largest magnitude of q */
 } rw_slip_measures;
 
-/* Room for the sums over the pieces of a state at a place, to be freed; NULL where memory is
+/* Room for the sums over the pieces of a state at places, to be freed; NULL where memory is
  * short. */
 typedef struct {
     double displacement, shear;
@@ -105,7 +105,10 @@ typedef struct {
 
 rw_piece_sum *rw_cycle_room(const rwedge_cycle *cycle);
 
-rw_slip_measures rw_slip_measures_at(const rwedge_cycle *cycle, double x, rw_piece_sum room[]);
+/* At n <= RW_SLIP_PLACES places of the surface. */
+enum { RW_SLIP_PLACES = 32 };
+void rw_slip_measures_at(const rwedge_cycle *cycle, size_t n, const double x[], rw_piece_sum room[],
+                         rw_slip_measures measures[]);
 
 /* The patch of a contact; NaN where the bodies are apart. */
 static inline rw_patch rw_patch_of(const rwedge_contact *c)

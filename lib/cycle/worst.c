@@ -34,7 +34,8 @@ static bool is_answer(const line *l, int32_t status)
 
 static double friction_of(const line *l, double x, const double *sxx)
 {
-    const rw_slip_measures at = rw_slip_measures_at(l->cycle, x, l->room);
+    rw_slip_measures at;
+    rw_slip_measures_at(l->cycle, 1, &x, l->room, &at);
     switch (l->measure) {
     case RWEDGE_MEASURE_SLIP_RANGE:
         return at.slip_range;

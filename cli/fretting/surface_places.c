@@ -25,7 +25,7 @@ static void note_load(void *of_course, size_t loads, const rwedge_contact *conta
     if (to->all == NULL)
         return;
     doubts_add(to->all, doubts_of_state(&to->history->setup, contact));
-    to->all->bits |= at.is_driven ? 0 : doubt_of_sliding(contact);
+    to->all->bits |= at.is_driven ? doubt_of_way(contact) : doubt_of_sliding(contact);
 }
 
 void history_cycle(const contact_history *history, const criteria *asked, last_cycle *cycle,

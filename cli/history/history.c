@@ -77,7 +77,7 @@ static void compute(const contact_case *setup, const rwedge_contact *contact, si
         failure("load %zu: %s", number, rwedge_strerror(status));
     value[ENERGY] = rwedge_contact_dissipated_energy(contact);
     row->doubts = doubts_of_factor(setup, contact, value[YIELD_FACTOR]);
-    row->doubts.bits |= is_driven ? 0 : doubt_of_sliding(contact);
+    row->doubts.bits |= is_driven ? doubt_of_way(contact) : doubt_of_sliding(contact);
     value[ESTIMATE] = row->doubts.error;
 }
 

@@ -12,7 +12,8 @@ enum {
     DOUBT_SLIDES = 1 << 23,
     DOUBT_BEYOND = 1 << 24,
     DOUBT_AWAY = 1 << 25,
-    DOUBT_LOBE = 1 << 26
+    DOUBT_LOBE = 1 << 26,
+    DOUBT_FAR = 1 << 27
 };
 
 static const double STEEP = 0.1;
@@ -58,6 +59,8 @@ static const char *text_of(int32_t bit)
         {DOUBT_ZONES, "several zones stick and it slips between them: stick_left and stick_right "
                       "mean the outermost edges"},
         {DOUBT_SLIDES, "it slides fully: the loads do not tell how far nor what that dissipates"},
+        {DOUBT_FAR, "it slides by more than its half-width, so that places leave it: is the "
+                    "displacement in the unit of the other lengths, and from the middle?"},
         {DOUBT_SLOPE,
          "the pad rises by more than 0.1 rad in the contact: it is hardly a half-plane"},
         {DOUBT_BEYOND, "P acts at x = 0 and the contact reaches beyond the places of the profile: "
@@ -103,6 +106,12 @@ int32_t doubt_of_sliding(const rwedge_contact *contact)
     return touches && rwedge_contact_stick_zone(contact, &left, &right) == RWEDGE_EABSENT
                ? DOUBT_SLIDES
                : 0;
+}
+
+int32_t doubt_of_way(const rwedge_contact *contact)
+{
+    const double b = rwedge_contact_half_width(contact);
+    return b > 0 && fabs(rwedge_contact_displacement(contact, b)) > b ? DOUBT_FAR : 0;
 }
 
 doubts doubts_of_error(const rwedge_contact *contact)

@@ -315,6 +315,9 @@ doubts doubts_of_state(const contact_case *setup, const rwedge_contact *contact)
 /* The doubt of a contact in a history that slides fully, or none. */
 int32_t doubt_of_sliding(const rwedge_contact *contact);
 
+/* The doubt of a contact that a rig has driven further than its half-width, or none. */
+int32_t doubt_of_way(const rwedge_contact *contact);
+
 /* The doubt of a contact that sticks in several zones, or none. */
 int32_t doubt_of_zones(const rwedge_contact *contact);
 

@@ -180,6 +180,20 @@ R=$(awk 'BEGIN { A1 = 2 * (1 - 0.33 * 0.33) / 72000; printf "%.17g", 1 / (1 / 60
 width=$(cells right)
 run history $steel --radius "$R" --load 120,0 --load 120,30
 close_to "half-width" "$(cells right | cut -d ' ' -f 2)" "$(echo "$width" | cut -d ' ' -f 2)" 1e-12
+# Unlike bodies whose pad is free: a thick layer is the half-plane, and a thin one narrows the contact as one of similar bodies.
+unlike="$steel --E2 210000 --nu2 0.3 --radius 60 --load 120,0 --load 120,36"
+half_widths() { by_name 'NR == 2 { printf "%.17g", $right } END { printf " %.17g %.17g", $left, $right }' out; }
+run history $unlike --rotation free && half_widths >free
+run history $unlike --rotation free --specimen-thickness 2000 && half_widths >thick
+run history $unlike --rotation free --specimen-thickness 2.5 && half_widths >thin
+run history $unlike --similar && half_widths >similar_half
+run history $unlike --similar --specimen-thickness 2.5 && half_widths >similar_thin
+for i in 1 2 3; do
+    close_to "edge $i of a thick layer" "$(cut -d ' ' -f $i free)" "$(cut -d ' ' -f $i thick)" 1e-5
+done
+close_to "a thin layer" "$(cut -d ' ' -f 1 similar_half similar_thin | paste -s -d ' ' - | awk '{ printf "%.17g", $2 / $1 }')" \
+    "$(cut -d ' ' -f 1 free thin | paste -s -d ' ' - | awk '{ printf "%.17g", $2 / $1 }')" 1e-4
+
 refuses "--specimen-thickness 1: must be at least 1.90543, twice the width of the contact" \
     history $steel --radius 60 --load 120,0 --specimen-thickness 1 --opposite
 refuses "--load 100,30: P 100: must stay that of the first load, 120, with --specimen-thickness" \

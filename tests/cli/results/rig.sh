@@ -127,6 +127,15 @@ printf 'P,Q\n400,1\n' >forces.csv
 fails_with_status 1 "forces.csv: column displacement: missing; with a compliance loads have it in place of Q; the names there: 'P', 'Q'; --column NAME='THEIR NAME' takes one" \
     history forces.csv $cylinder $compliance
 
+# Micrometres in the place of millimetres, or an offset of the sensor.
+far="it slides by more than its half-width, so that places leave it: is the displacement in the unit of the other lengths, and from the middle?"
+printf 'P,displacement\n400,0\n400,2\n400,-2\n' >far.csv
+does history far.csv $cylinder $compliance
+message_is "rwedge history: far.csv, in some rows: $far"
+same "in its rows" 2 "$(grep -c "it slides by more than its half-width" out)"
+does fretting far.csv $cylinder $compliance --x 0
+message_has "$far"
+
 # ---- Gross slip with a tension ----
 # The work of Q over the way, and that of the tension at int q x dx: in full sliding that is 0 without a moment.
 awk 'BEGIN { print "P,displacement,sigma"; print "400,0,0"

@@ -30,18 +30,22 @@ static int32_t peak_under(const rwedge_contact *apart, double P, double *pressur
 }
 
 /* The logarithm of the pressure over the wanted one. An infinite pressure, where a kink touches,
- * is so much more. NaN where the load is refused. */
+ * is so much more; one that is lost in rounding so much less. NaN where the load is refused. */
 static double excess(double log_P, const void *of)
 {
     static const double INFINITE = 600;
     const question *asked = of;
     double pressure;
-    const int32_t status = peak_under(asked->apart, exp(log_P), &pressure);
+    const int32_t status = fabs(log_P) > log(RW_LARGEST)
+                               ? RWEDGE_EDOMAIN
+                               : peak_under(asked->apart, exp(log_P), &pressure);
     if (status == RWEDGE_EABSENT)
         return INFINITE;
     if (status != RWEDGE_OK && *asked->status == RWEDGE_OK)
         *asked->status = status;
-    return status == RWEDGE_OK ? log(pressure / asked->pressure) : NAN;
+    if (status != RWEDGE_OK)
+        return NAN;
+    return pressure > 0 ? log(pressure / asked->pressure) : -INFINITE;
 }
 
 /* The logarithm of the load; NaN where none is found. The steps go from a load of the pad's own
@@ -49,7 +53,10 @@ static double excess(double log_P, const void *of)
 static double search(const question *asked, double from)
 {
     static const double STEP = 2, SURE = 1e-3;
-    const double first = excess(from, asked), step = first > 0 ? -STEP : STEP;
+    const double first = excess(from, asked);
+    if (isnan(first))
+        return NAN;
+    const double step = first > 0 ? -STEP : STEP;
     double there = first;
     while (!isnan(there) && there * first > 0) {
         from += step;

@@ -2,6 +2,9 @@
 /* The normal load of a largest pressure. */
 #include "histories.h"
 
+#include <errno.h>
+#include <fenv.h>
+
 static const double F = 0.5, R = 10;
 
 static double load_of_peak(const rwedge_contact *contact, double pressure)
@@ -73,4 +76,19 @@ CLAIM(a_pressure_that_no_load_has_is_told)
     assert_int_equal(rwedge_contact_peak_load(NULL, 1, &P), RWEDGE_ENULL);
     assert_int_equal(rwedge_contact_peak_load(low, 1, NULL), RWEDGE_ENULL);
     assert_true(P == 5);
+}
+
+/* It was looked for down to loads whose pressure is lost in rounding, and above the largest. */
+CLAIM(a_pressure_that_no_load_makes_raises_nothing)
+{
+    static const double PRESSURES[] = {8e-22, 1e-40, 1e30, 9e59};
+    for (size_t i = 0; i < sizeof PRESSURES / sizeof *PRESSURES; i++) {
+        double P = 7;
+        const rwedge_contact *pad = create_flat(0.4, 10, 0.5, 0.5);
+        errno = 0;
+        feclearexcept(FE_ALL_EXCEPT);
+        assert_int_equal(rwedge_contact_peak_load(pad, PRESSURES[i], &P), RWEDGE_EABSENT);
+        assert_int_equal(fetestexcept(FE_INVALID | FE_DIVBYZERO | FE_OVERFLOW), 0);
+        assert_true(errno == 0 && P == 7);
+    }
 }

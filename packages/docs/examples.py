@@ -26,10 +26,14 @@ LISTS = {
     "P": [2000, 2000], "M": [0, 0], "Q": [-300, 300], "sigma": [0, 0], "tilt": [0, 0], "displacement": [1e-3, -1e-3],
 }
 ROUND = [-4, -3, -2, -1, 0, 1, 2, 3, 4], [0.0803, 0.0449, 0.0201, 0.0049, 0.0001, 0.0051, 0.0198, 0.0452, 0.0799]
+LOOP = {"P": [2000] * 11, "M": [0] * 11, "sigma": [0] * 11,
+        "displacement": [0.001, 0.002, 0.0032, 0.001, -0.001, -0.003, -0.001, 0.001, 0.003, 0.002, -0.002],
+        "Q": [453, 676, 863, -97, -526, -836, 70, 516, 835, 257, -687]}
 SWT = [200e3]
 SWT_LIFE = [*SWT, 475.4, -0.078, 0.612, -0.62, 0]
 OWN = {**{(name, "constants"): SWT for name in ("criterion", "criterion_field", "cycle_worst")},
        **{(name, "constants"): SWT_LIFE for name in ("life", "damage", "damage_field")},
+       **{("contact_loop_fit", argument): rows for argument, rows in LOOP.items()},
        ("profile_fit", "x"): ROUND[0], ("profile_fit", "height"): ROUND[1],
        **{(name, argument): number for name in ("cycle_growth", "cycle_closing_growth")
           for argument, number in {"x": -2.25, "law": [5, 400, 1e-13, 3, 1500], "initial": 0.05, "final": 5}.items()},

@@ -8,12 +8,13 @@
 /* An edge grows if it moves by more than this part of the half-width. */
 static const double LEAST_GROWTH = 1e-6;
 
-/* An edge that sticks at first and slips at the end. */
+/* Edges that stick at first, until slip begins at one of them. */
 typedef struct {
     rw_work *work;
     const rw_numerical_state *from, *there;
-    rw_zones sticking; /* the zones at the end, but this edge sticks */
-    int side;
+    rw_zones sticking; /* the zones at the end, but these edges stick */
+    bool begins[2];    /* at the left, right edge */
+    double at_start;   /* |D| - 1 there */
 } onset;
 
 static int label_at_edge(const rw_zones *zones, int side)
@@ -30,7 +31,7 @@ static rw_zones sticking_at(const rw_zones *zones, int side)
     return sticking;
 }
 
-/* |D| at the edge at a moment of the step, less 1; > 0 where it slips already. */
+/* The largest |D| of these edges at a moment of the step, less 1; > 0 where one slips already. */
 static double excess_at(const onset *o, double part)
 {
     const rw_scaled_loads from = o->from->at, to = o->there->at;
@@ -38,32 +39,45 @@ static double excess_at(const onset *o, double part)
     rw_patch contact;
     rw_zones zones;
     rw_problem rates;
-    double D[2];
+    double D[2], most = -1;
     if (!rw_step_zones(o->work, o->from, at, &o->sticking, false, &contact, &zones))
         return NAN;
-    if (label_at_edge(&zones, o->side) != 0)
-        return 1;
     rw_step_rates(o->work, from, to, contact, &rates);
     rw_rates_free_ratio(&o->work->fronts, &rates, &zones, D);
-    return fabs(D[o->side]) - 1;
+    for (int side = 0; side < 2; side++)
+        if (o->begins[side] && isnan(D[side]))
+            return label_at_edge(&zones, side) != 0 ? 1 : NAN;
+        else if (o->begins[side])
+            most = fmax(most, fabs(D[side]) - 1);
+    return most;
 }
 
-/* |D| - 1 at the beginning. */
-static double excess_at_start(const onset *o)
+/* |D| - 1 of an edge at the beginning, and at the end, if it sticks. */
+static double excess_at_start(const onset *o, int side)
 {
     rw_problem rates;
     double D[2];
     rw_fronts *f = &o->work->fronts;
+    const rw_zones sticking = sticking_at(&o->there->shear.zones, side);
     rw_step_rates(o->work, o->from->at, o->there->at, o->from->contact, &rates);
-    const rw_zones begun = rw_rates_begun(f, &rates, &o->from->shear.zones, &o->sticking);
+    const rw_zones begun = rw_rates_begun(f, &rates, &o->from->shear.zones, &sticking);
     rw_rates_free_ratio(f, &rates, &begun, D);
-    return fabs(D[o->side]) - 1;
+    return fabs(D[side]) - 1;
+}
+
+static double excess_at_end(const onset *o, int side)
+{
+    rw_problem rates;
+    double D[2];
+    rw_step_rates(o->work, o->from->at, o->there->at, o->there->contact, &rates);
+    rw_rates_free_ratio(&o->work->fronts, &rates, &o->there->shear.zones, D);
+    return fabs(D[side]) - 1;
 }
 
 /* By regula falsi (Illinois), whose values beyond the onset may be no more than a sign. */
-static double find(const onset *o, double at_low)
+static double find(const onset *o)
 {
-    double low = 0, high = 1, at_high = 1;
+    double low = 0, high = 1, at_low = o->at_start, at_high = 1;
     for (int turn = 0; turn < RW_ONSET_TURNS && high - low > RW_ONSET_EXACT; turn++) {
         const double guess = turn == 0 ? 0.5 : low + at_low / (at_low - at_high) * (high - low);
         const double part = fmax(low + 0.1 * (high - low), fmin(high - 0.1 * (high - low), guess));
@@ -126,28 +140,31 @@ static bool grows_at(const rw_numerical_state *from, const rw_numerical_state *t
     return growth > LEAST_GROWTH * rw_patch_half_width(there->contact);
 }
 
-/* At an edge that grows. */
-static double onset_at(rw_work *w, const rw_numerical_state *from, const rw_numerical_state *there,
-                       int side)
+/* Notes an edge at which slip begins within the step: it slips at the end, in another way than
+ * before, or it should. */
+static void look_at_edge(onset *o, int side, double allowed)
 {
-    if (label_at_edge(&from->shear.zones, side) != 0 ||
-        label_at_edge(&there->shear.zones, side) == 0)
-        return 1;
-    const onset o = {w, from, there, sticking_at(&there->shear.zones, side), side};
-    const double excess = excess_at_start(&o);
-    return excess < -RW_ONSET_CLOSE ? find(&o, excess) : 1;
+    const int before = label_at_edge(&o->from->shear.zones, side),
+              after = label_at_edge(&o->there->shear.zones, side);
+    const bool should_slip = after == 0 && o->there->end_error > allowed;
+    const bool slips = after != 0 ? after != before : should_slip && excess_at_end(o, side) > 0;
+    const double excess =
+        slips && grows_at(o->from, o->there, side) ? excess_at_start(o, side) : NAN;
+    if (!(excess < -RW_ONSET_CLOSE))
+        return;
+    o->begins[side] = true;
+    o->at_start = fmax(o->at_start, excess);
+    o->sticking = sticking_at(&o->sticking, side);
 }
 
 double rw_onset_of_slip(rw_work *w, const rw_numerical_state *from, const rw_numerical_state *there)
 {
     const double allowed = RW_ALLOWED * w->frame->tolerance;
-    double first = 1;
-    bool grows = false;
-    for (int side = 0; side < 2; side++)
-        if (grows_at(from, there, side)) {
-            grows = true;
-            first = fmin(first, onset_at(w, from, there, side));
-        }
+    const bool grows = grows_at(from, there, 0) || grows_at(from, there, 1);
+    onset o = {w, from, there, there->shear.zones, {false, false}, -1};
+    for (int side = 0; side < 2 && grows; side++)
+        look_at_edge(&o, side, allowed);
+    double first = o.begins[0] || o.begins[1] ? find(&o) : 1;
     if (grows && first == 1 && there->start_error <= allowed && there->end_error > allowed)
         first = end_of_slip(w, from, there, allowed);
     return first > RW_ONSET_NEAREST && first < 1 - RW_ONSET_NEAREST ? first : 1;

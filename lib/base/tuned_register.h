@@ -14,6 +14,10 @@
 /* Coefficients at the end of a series that are none, over the tolerance. Shorter series. */
 RW_NUMBER(RW_LOST, 1e-4)
 
+/* What a fit may be off at a kink that it has lost, over its tolerance: next to the kink it errs by
+ * more than its last coefficients. Fewer kinks, of which each adds elements. */
+RW_NUMBER(RW_AT_KINK, 5)
+
 /* The fit of what a shear adds to a pressure (bounded_inverse.c), over the tolerance of a sum.
  * Fewer places where that is computed. */
 RW_NUMBER(RW_FIT_OF_INVERSE, 3)

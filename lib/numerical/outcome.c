@@ -124,7 +124,7 @@ void rw_shear_state_smooth(rw_shear_state *s, rw_patch contact, double tolerance
         const double from = kept > 0 ? s->kink[kept - 1] : contact.left;
         const double to = i + 1 < s->kinks ? s->kink[i + 1] : contact.right;
         if (is_front(&s->zones, s->kink[i]) ||
-            !rw_traction_is_smooth(&s->traction, from, to, RW_FIT * tolerance))
+            !rw_traction_is_smooth(&s->traction, from, s->kink[i], to, RW_FIT * tolerance))
             s->kink[kept++] = s->kink[i];
     }
     s->kinks = kept;

@@ -481,16 +481,25 @@ void rw_traction_simplify(rw_traction *t, double tolerance)
     t->count = last + 1;
 }
 
-bool rw_traction_is_smooth(const rw_traction *t, double from, double to, double tolerance)
+/* Whether one element fits a traction, also at a kink that may be in it. */
+static bool is_fitted(const fit *how, rw_element *e, double kink)
+{
+    expand(how, e);
+    if (!is_fine(how, rest_of(e), HUGE_VAL))
+        return false;
+    complete(e, &how->rule);
+    const rw_traction alone = {.elements = e, .count = 1};
+    const double apart = rw_traction_at(&alone, kink) - rw_traction_at(how->context, kink);
+    return !(kink > e->low && kink < e->high) || fabs(apart) <= RW_AT_KINK * how->tolerance;
+}
+
+bool rw_traction_is_smooth(const rw_traction *t, double from, double kink, double to,
+                           double tolerance)
 {
     const double half = to / 2 - from / 2;
     fit how = {.f = values_of, .context = t, .tolerance = tolerance};
     rw_element first = {.end = from, .scale = half, .last = 1},
                last = {.end = to, .scale = -half, .last = 1};
     make_rule(&how.rule);
-    expand(&how, &first);
-    if (!is_fine(&how, rest_of(&first), HUGE_VAL))
-        return false;
-    expand(&how, &last);
-    return is_fine(&how, rest_of(&last), HUGE_VAL);
+    return is_fitted(&how, &first, kink) && is_fitted(&how, &last, kink);
 }

@@ -80,8 +80,10 @@ size_t rw_traction_index(const rw_traction *traction, double x);
 void rw_traction_values(const rw_traction *traction, size_t n, const double x[], double value[]);
 double rw_traction_at(const rw_traction *traction, double x);
 
-/* Whether one element from each of two places fits all between them to the tolerance. */
-bool rw_traction_is_smooth(const rw_traction *traction, double from, double to, double tolerance);
+/* Whether one element from each of two places fits all between them, with a kink, to the
+ * tolerance. */
+bool rw_traction_is_smooth(const rw_traction *traction, double from, double kink, double to,
+                           double tolerance);
 
 /* Its integral; that from its left end to a place. */
 double rw_traction_total(const rw_traction *traction);

@@ -97,6 +97,14 @@ static void note_rate_errors(rw_work *w, const rw_problem *p, const rw_numerical
     there->rate_error = fmax(there->start_error, there->end_error);
 }
 
+/* Whether what slips at the edges of the contact begins in the contact before. */
+static bool sticks_in_old_contact(const rw_problem *p, const rw_zones *after)
+{
+    const rw_zone first = after->zone[0], last = after->zone[after->count - 1];
+    return first.label != 0 && last.label != 0 && first.right > p->from.left &&
+           last.left < p->from.right;
+}
+
 /* Whether a step has the right end whatever the way there. Where it slips the traction is that of
  * friction. What sticks must have stuck all the time, and must have been in contact. */
 static bool is_exact(rw_work *w, const rw_problem *p, const rw_numerical_state *from,
@@ -104,8 +112,7 @@ static bool is_exact(rw_work *w, const rw_problem *p, const rw_numerical_state *
 {
     const rw_zones *after = &there->shear.zones;
     return rw_problem_change(p) <= RW_LARGE_STEP * p->scale &&
-           fmax(there->error, there->rate_error) <= p->allowed && after->zone[0].label != 0 &&
-           after->zone[after->count - 1].label != 0 &&
+           fmax(there->error, there->rate_error) <= p->allowed && sticks_in_old_contact(p, after) &&
            rw_rates_excess_at_start(&w->fronts, &w->start, &from->shear.zones, after,
                                     p->allowed * p->half) <=
                RW_LITTLE_EXCESS * p->allowed * p->scale;

@@ -1323,8 +1323,8 @@ enum {
 
 /* Friction, the rig's compliance and the offset of its displacement from a measured loop of Q over
  * the displacement: those with which rwedge_contact_drive() through the rows leaves the least of Q,
- * in squares. A log may begin with a contact that has no shear yet, or in the middle of steady
- * cycles: it is gone through once, or twice of which the second time counts, as fits better.    new
+ * in squares. A log may begin with a contact that has no shear yet, or be whole cycles of a steady
+ * loop: it is gone through once, or twice of which the second time counts, as fits better.      new
  *   contact       bodies, pad, tilt and tolerance count; friction and loads do not
  *   n             number of rows, >= 8
  *   P             0, or 1e-60 to 1e60: n numbers

@@ -295,6 +295,10 @@ static result result_of(const measured *log, const trial *fit, const normal *equ
     return r;
 }
 
+/* In gross slip an offset lets a contact without shear begin anywhere on a steady loop. So it is
+ * better only where it takes from the squares what three standard deviations have. */
+static const double BETTER = 9;
+
 /* Through the log so often; it becomes the best, with its equations, if it is better. */
 static int32_t fit_passes(const measured *log, int passes, double *slopes, trial *best,
                           trial spare[2], normal *equations)
@@ -305,14 +309,15 @@ static int32_t fit_passes(const measured *log, int passes, double *slopes, trial
     int32_t status = begin(log, at, tried);
     if (status == RWEDGE_OK && at->squares < HUGE_VAL)
         status = descend(log, at, tried, slopes, &own);
-    if (status == RWEDGE_OK && at->squares < best->squares) {
+    if (status == RWEDGE_OK &&
+        at->squares * (1 + BETTER / (double)(log->n - PARTS)) < best->squares) {
         *equations = own;
         exchange(best, at);
     }
     return status;
 }
 
-/* A log may begin with a contact that has no shear, or in steady cycles: as fits better. `room` has
+/* A log may begin in steady cycles, or with a contact that has no shear: as fits better. `room` has
  * 5 n numbers. */
 static int32_t fit_to(const measured *log, double *room, trial *best, result *r)
 {
@@ -320,7 +325,7 @@ static int32_t fit_to(const measured *log, double *room, trial *best, result *r)
     double *slopes = room + 2 * log->n;
     normal equations = {.size = {0}};
     int32_t status = RWEDGE_OK;
-    for (int passes = 1; passes <= 2 && status == RWEDGE_OK; passes++)
+    for (int passes = 2; passes >= 1 && status == RWEDGE_OK; passes--)
         status = fit_passes(log, passes, slopes, best, spare, &equations);
     if (status == RWEDGE_OK && best->squares == HUGE_VAL)
         status = RWEDGE_ENOCONV;

@@ -68,6 +68,7 @@ does loop "$gross" $pad --by-cycle
 same "cycles" "1 2 3 4" "$(awk -F, '$1 == "f" { print $5 }' out | paste -s -d ' ' -)"
 awk -F, '$1 == "f" { print 0.6, $2 }' out >both
 close_rows "f cycle by cycle" 2e-3 0
+same "offsets of steady gross slip" "" "$(awk -F, '$1 == "offset" { printf "%s", $2 }' out)"
 does loop "$gross" $pad --fitted
 same "columns" "P,displacement,Q,Q_fitted" "$(head -n 1 out)"
 same "rows" 501 "$(wc -l <out)"

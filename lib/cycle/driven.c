@@ -49,20 +49,51 @@ static int32_t reason(const rig *r, double Q)
     return status == RWEDGE_OK ? RWEDGE_EPATH : status;
 }
 
+/* The largest Q of one sign whose displacement is known. Of unlike bodies that is not so where they
+ * slide, but up to this part of f P. */
+static const double INSIDE = 1 - 1e-6;
+
+typedef struct {
+    double Q, beyond;
+} end;
+
+static end end_of(const rig *r, double way)
+{
+    const double limit = way * r->contact->f * r->P;
+    const end all = {limit, beyond_with(limit, r)};
+    return isnan(all.beyond) ? (end){INSIDE * limit, beyond_with(INSIDE * limit, r)} : all;
+}
+
+/* Whether unlike bodies touch with no way prescribed: they are pressed alone. A first load with a
+ * force along the surface may not converge. */
+static bool is_pressed_alone(const rig *r)
+{
+    const rwedge_contact *c = r->contact;
+    const double NO_WAY = 1e-6; /* over A f P */
+    return c->unlike && c->phase == RW_APART &&
+           fabs(beyond_with(0, r)) <= NO_WAY * c->geometry.A * c->f * r->P;
+}
+
 /* Q, and how far the bodies slide besides; NaN where the root, or how far, is not known. The side
  * on which the contact is comes first. */
 static double find(const rig *r, double *slid)
 {
     const double limit = r->contact->f * r->P, way = r->contact->loads.Q < 0 ? -1 : 1;
+    end side[2];
+    if (is_pressed_alone(r))
+        return 0;
     for (int i = 0; i < 2; i++) {
-        const double side = i == 0 ? way : -way, past = beyond_with(side * limit, r);
-        if (isnan(past))
+        const double sign = i == 0 ? way : -way;
+        side[i] = end_of(r, sign);
+        const double short_of = -side[i].beyond * sign; /* of what is prescribed */
+        if (isnan(short_of) || (short_of > 0 && fabs(side[i].Q) < limit))
             return NAN;
-        *slid = past * side < 0 ? -past : 0;
-        if (past * side <= 0)
-            return side * limit;
+        *slid = short_of > 0 ? -side[i].beyond : 0;
+        if (short_of >= 0)
+            return side[i].Q;
     }
-    return rw_root(beyond_with, r, -limit, limit, 1e-15 * limit);
+    return rw_root(beyond_with, r, fmin(side[0].Q, side[1].Q), fmax(side[0].Q, side[1].Q),
+                   1e-15 * limit);
 }
 
 /* Slides on. Where it slid the same way before, P grew or fell on the way. */

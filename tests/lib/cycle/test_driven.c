@@ -204,6 +204,22 @@ CLAIM(the_state_has_how_it_slid_off_the_centre)
     }
 }
 
+/* Unlike bodies, pressed first: in partial slip, with the tolerance of their computed loads. */
+CLAIM(unlike_bodies_reach_what_is_prescribed_in_partial_slip)
+{
+    rwedge_contact *contact = cylinder();
+    double Q;
+    assert_ok(rwedge_contact_set_beta(contact, -0.1));
+    assert_ok(rwedge_contact_allow_error(contact, 1e-2));
+    assert_ok(rwedge_contact_drive(contact, P, 0, 0, 0, COMPLIANCE, &Q));
+    assert_true(Q == 0);
+    const double b = rwedge_contact_half_width(contact);
+    assert_ok(rwedge_contact_drive(contact, P, 0, 0, 0.1, COMPLIANCE, &Q));
+    assert_within(rwedge_contact_displacement(contact, b) + COMPLIANCE * Q, 0.1, 1e-9);
+    assert_true(Q > 0.2 * F * P && Q < F * P);
+    assert_int_equal(rwedge_contact_drive(contact, P, 0, 0, 9, COMPLIANCE, &Q), RWEDGE_EPATH);
+}
+
 /* Without a rig that prescribes it nothing tells how far it slides. */
 CLAIM(without_a_rig_the_slip_of_sliding_off_the_centre_is_not_known)
 {

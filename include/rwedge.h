@@ -597,10 +597,13 @@ RWEDGE_API double rwedge_contact_strain(const rwedge_contact *contact);
  * half-width, q by 5e-4 of f times the peak pressure in the mean, the stress beside the contact by
  * 0.5 % of its largest value, the energy of a cycle by 1 %; rwedge_contact_error() estimates that
  * of q. A load takes a tenth of a second to one, some seconds where P rises as Q turns round.
- * Pressing a symmetric pad that is not tilted along P alone, as the first load, is known at once.
- * What slips meanwhile is not followed: rwedge_contact_error() then has exp(-pi f/|beta|) for it.
- * Another first load is computed from a small part of it on; one with Q may not converge,
- * RWEDGE_ENOCONV: press it first.
+ * The first load, in whatever proportion of P, M or tilt, Q and sigma, is summed up on 160 cells
+ * from touching on, with what slips meanwhile, in a quarter of a second; q then errs by 1e-4 to
+ * 1e-3 of f times the peak pressure in the mean, whatever the tolerance. Of 350 random ones, |beta|
+ * <= 1/4, 0.15 <= f <= 0.9, |Q| <= 0.95 f P, all converged. A symmetric pad that is not tilted and
+ * is pressed along P alone is known in closed form where that errs by less than the tolerance:
+ * by 0.1 |beta|^3/f + exp(-pi f/|beta|) in the mean. RWEDGE_ENOCONV for a first load of which M/P
+ * would tilt the pad off a small contact, or sigma drags nearly all of it.
  * rwedge_contact_edge_asymptotes() gives RWEDGE_EABSENT; rwedge_contact_permanent_stick(),
  * rwedge_contact_worn_zone() and rwedge_contact_full_wear() give RWEDGE_EPATH. All other functions
  * serve such a contact.

@@ -6,6 +6,7 @@
 #include "base/sort.h"
 #include "base/tuned.h"
 #include "computed/bonded.h"
+#include "computed/grown.h"
 
 /* When the bodies touch, the first step is to this part of the load, and each step grows fourfold.
  * Below it a contact that grows sticks or slides as a whole; that of a flat does not grow. */
@@ -182,37 +183,38 @@ static rw_numerical *begin_flat(const rw_frame *frame, double stretch, rw_numeri
     return NULL;
 }
 
-/* Unlike bodies: pressed alone, all at once; else from a small load on. A pad that is not symmetric
- * begins without shear, which is forgotten as the load grows. */
-static rw_numerical *begin_unlike(const rwedge_contact *c, const rw_frame *frame,
-                                  rw_scaled_loads from, rw_scaled_loads to)
+/* Pressed alone, a pad that is symmetric and not tilted: in closed form. */
+static rw_numerical *press_alone(const rw_frame *frame, rw_scaled_loads to)
 {
-    const bool is_symmetric = rw_is_symmetric(&c->geometry) && to.turn == 0;
-    const bool is_alone = is_symmetric && to.shear == 0 && to.stretch == from.stretch;
-    rw_numerical_state now = {.at = is_alone ? to : rw_part_of_line(from, to, FIRST_TOUCH)};
-    bool is_done = is_symmetric && rw_press_bonded(frame, &now);
-    if (!is_symmetric) {
-        now.contact = rw_patch_of_loads(frame, now.at);
-        now.shear.zones = (rw_zones){1, {{0, now.contact.left, now.contact.right}}};
-        is_done = rw_frame_fit(frame, now.contact, 0, 0, 1, &now.shear.traction) &&
-                  rw_coupled_press(frame, &now);
-    }
-    rw_numerical *n = is_done ? rw_numerical_begin(frame, &now, true, NULL, NULL) : NULL;
-    if (n)
-        rw_numerical_add_error(n, rw_bonded_error(frame));
-    if (!is_done) {
+    rw_numerical_state now = {.at = to};
+    if (!rw_press_bonded(frame, &now)) {
         rw_traction_destroy(&now.shear.traction);
         rw_traction_destroy(&now.pressed);
+        return NULL;
     }
+    rw_numerical *n = rw_numerical_begin(frame, &now, true, NULL, NULL);
+    if (n)
+        rw_numerical_add_error(n, rw_bonded_error(frame));
     return n;
 }
 
-rw_numerical *rw_numerical_of_touching(const rwedge_contact *c, rw_scaled_loads to)
+static int32_t begin_unlike(const rwedge_contact *c, const rw_frame *frame, rw_scaled_loads from,
+                            rw_scaled_loads to, rw_numerical **begun)
+{
+    const bool is_alone = rw_is_symmetric(&c->geometry) && to.turn == 0 && to.shear == 0 &&
+                          to.stretch == from.stretch;
+    if (!is_alone || rw_bonded_error(frame) > frame->tolerance)
+        return rw_numerical_of_growth(frame, from, to, begun);
+    *begun = press_alone(frame, to);
+    return *begun ? RWEDGE_OK : RWEDGE_ENOMEM;
+}
+
+int32_t rw_numerical_of_touching(const rwedge_contact *c, rw_scaled_loads to, rw_numerical **begun)
 {
     const rw_frame frame = rw_contact_frame(c);
-    if (frame.B != 0)
-        return begin_unlike(c, &frame, rw_loads_before_touching(c, to), to);
     const rw_scaled_loads from = rw_loads_before_touching(c, to);
+    if (frame.B != 0)
+        return begin_unlike(c, &frame, from, to, begun);
     const rw_scaled_loads change = {to.P, to.turn - from.turn, to.shear, to.stretch - from.stretch};
     rw_numerical_state now = {.contact = rw_patch_of_loads(&frame, to), .at = to};
     const double part = stuck_part(c, change, now.contact);
@@ -220,7 +222,8 @@ rw_numerical *rw_numerical_of_touching(const rwedge_contact *c, rw_scaled_loads 
         now.at = rw_part_of_line(from, to, part);
         now.contact = rw_patch_of_loads(&frame, now.at);
     }
-    return part == FIRST_TOUCH && is_flat(&frame, from, &now)
-               ? begin_flat(&frame, from.stretch, &now)
-               : begin_in_proportion(c, &frame, change, &now);
+    *begun = part == FIRST_TOUCH && is_flat(&frame, from, &now)
+                 ? begin_flat(&frame, from.stretch, &now)
+                 : begin_in_proportion(c, &frame, change, &now);
+    return *begun ? RWEDGE_OK : RWEDGE_ENOMEM;
 }

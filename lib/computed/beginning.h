@@ -19,7 +19,8 @@ rw_scaled_loads rw_loads_before_touching(const rwedge_contact *contact, rw_scale
 rw_numerical *rw_numerical_of_closed_form(const rwedge_contact *contact);
 
 /* The same on a straight line from touching to the loads: at its end, or where slip begins before
- * that. */
-rw_numerical *rw_numerical_of_touching(const rwedge_contact *contact, rw_scaled_loads to);
+ * that. RWEDGE_ENOMEM; RWEDGE_ENOCONV; then `begun` is NULL. */
+int32_t rw_numerical_of_touching(const rwedge_contact *contact, rw_scaled_loads to,
+                                 rw_numerical **begun);
 
 #endif

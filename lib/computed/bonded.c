@@ -5,13 +5,11 @@
 #include "base/root.h"
 #include "base/sort.h"
 #include "base/tuned.h"
-#include "potential/pad_potential.h"
 
 typedef struct {
     const rw_frame *frame;
     rw_patch contact;
     double middle, half, scale, e;
-    double mean;                 /* shear over pressure of all the way */
     const rw_traction *friction; /* the limit; NULL at first */
     double node[RW_TERMS], weight[RW_TERMS];
 } bonded;
@@ -60,12 +58,10 @@ static void traction_at(const double x[], const void *context, double value[])
     double limit[RW_TERMS];
     if (b->friction)
         rw_traction_values(b->friction, RW_TERMS, x, limit);
-    double pressure[RW_TERMS];
-    rw_pad_pressures(&b->frame->arcs, b->contact, RW_TERMS, x, pressure);
     for (int i = 0; i < RW_TERMS; i++) {
         const double off = x[i] - b->middle;
         const double there = off == 0 ? 0 : traction_at_place(b, fabs(off));
-        const double t = (off < 0 ? -there : there) + b->mean * pressure[i];
+        const double t = off < 0 ? -there : there;
         value[i] = b->friction ? fmax(-limit[i], fmin(limit[i], t)) : t;
     }
 }
@@ -90,9 +86,7 @@ static bool fit(bonded *b, rw_numerical_state *state)
 bool rw_press_bonded(const rw_frame *frame, rw_numerical_state *state)
 {
     enum { TURNS = 4 };
-    bonded b = {.frame = frame,
-                .mean = state->at.shear / state->at.P,
-                .e = log((1 + frame->B) / (1 - frame->B)) / (2 * RW_PI)};
+    bonded b = {.frame = frame, .e = log((1 + frame->B) / (1 - frame->B)) / (2 * RW_PI)};
     rw_gauss(RW_TERMS, b.node, b.weight);
     state->contact = rw_patch_of_loads(frame, state->at);
     state->shear.kinks = 0;

@@ -5,7 +5,7 @@
  *     N + i t = (cosh(pi e)/pi) int_|x|^b ((s + x)/(s - x))^(i e) dP(s)/sqrt(s^2 - x^2),
  *     e = ln((1 + B)/(1 - B))/(2 pi).
  * dP is taken from similar bodies, times one factor so that all of it is the load at the edge of
- * the coupled contact. A shear that has grown with the load is in proportion to the pressure. */
+ * the coupled contact. */
 #ifndef RW_BONDED_H
 #define RW_BONDED_H
 

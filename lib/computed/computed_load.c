@@ -116,7 +116,7 @@ static bool is_on_line_from_touching(const rwedge_contact *c, const rw_numerical
     changes(n, c, rw_part_of_line(rw_loads_before_touching(c, to), to, now->at.P / to.P), apart);
     for (int i = 0; i < LOADS; i++)
         sum += fabs(apart[i]);
-    return now->is_still && now->shear.zones.count == 1 &&
+    return now->is_still && (c->unlike || now->shear.zones.count == 1) &&
            sum <= RW_ROUNDING_OF_FRICTION * c->f * now->at.P / rw_patch_half_width(now->contact);
 }
 
@@ -130,19 +130,27 @@ static double added(const rw_frame *frame, const rw_numerical *from, const rw_nu
 /* Over the tolerance: a load that adds more to the error has not converged, as the header says. */
 static const double MOST_ADDED = 10;
 
+/* A copy of the state `from`, or the state on a line from touching that goes on. */
+static int32_t start_from(const rwedge_contact *c, const rw_numerical *from, rw_scaled_loads to,
+                          rw_numerical **start)
+{
+    bool is_whole = true;
+    if (is_on_line_from_touching(c, from, to))
+        return rw_numerical_of_touching(c, to, start);
+    *start = rw_numerical_copy(from, &is_whole);
+    return *start && is_whole ? RWEDGE_OK : RWEDGE_ENOMEM;
+}
+
 /* A step from the state `from`. Unless RWEDGE_OK, there is no next state. */
 static int32_t reach(const rwedge_contact *c, const rw_step *step, const rw_numerical *from,
                      rw_numerical **next)
 {
     const rw_frame frame = rw_contact_frame(c);
     const rw_scaled_loads to = next_loads(c, step, from);
-    bool is_whole = true;
-    *next = is_on_line_from_touching(c, from, to) ? rw_numerical_of_touching(c, to)
-                                                  : rw_numerical_copy(from, &is_whole);
-    const bool is_there = *next && is_at(*next, to); /* as all has stuck since touching */
-    int32_t status = !*next || !is_whole ? RWEDGE_ENOMEM
-                     : is_there          ? RWEDGE_OK
-                                         : advance(*next, &frame, to, step->patch);
+    int32_t status = start_from(c, from, to, next);
+    const bool is_there = *next && is_at(*next, to); /* all the way from touching */
+    if (status == RWEDGE_OK && !is_there)
+        status = advance(*next, &frame, to, step->patch);
     if (status == RWEDGE_OK && !is_there && added(&frame, from, *next) > MOST_ADDED * c->tolerance)
         status = RWEDGE_ENOCONV;
     if (status == RWEDGE_OK && !rw_numerical_cluster(*next))
@@ -191,12 +199,13 @@ static bool keep_exact(rwedge_contact *c)
            rwedge_contact_copy(c, &c->computed.exact) == RWEDGE_OK;
 }
 
-/* The computed shear where a new line begins; NULL where memory is short. */
-static rw_numerical *new_start(const rwedge_contact *c, const rw_step *step)
+/* The computed shear where a new line begins; NULL where there is none. */
+static int32_t new_start(const rwedge_contact *c, const rw_step *step, rw_numerical **start)
 {
-    return c->computed.now        ? c->computed.now
-           : c->memory.count == 1 ? rw_numerical_of_touching(c, scaled_loads_after(c, step))
-                                  : rw_numerical_of_closed_form(c);
+    if (!c->computed.now && c->memory.count == 1)
+        return rw_numerical_of_touching(c, scaled_loads_after(c, step), start);
+    *start = c->computed.now ? c->computed.now : rw_numerical_of_closed_form(c);
+    return *start ? RWEDGE_OK : RWEDGE_ENOMEM;
 }
 
 /* The start of a line, its last state and how far loads strayed from it. */
@@ -236,8 +245,9 @@ int32_t rw_numerical_go(rwedge_contact *c, rw_step *step, double *energy)
         strayed <= RW_STRAY * c->tolerance ? reach(c, step, start, &next) : RWEDGE_ENOCONV;
     if (status == RWEDGE_ENOCONV) {
         strayed = 0;
-        start = new_start(c, step);
-        status = start ? reach(c, step, start, &next) : RWEDGE_ENOMEM;
+        status = new_start(c, step, &start);
+        if (status == RWEDGE_OK)
+            status = reach(c, step, start, &next);
     }
     if (status == RWEDGE_OK && c->unlike) {
         note_end(&next->now, step);
@@ -253,8 +263,7 @@ int32_t rw_numerical_go(rwedge_contact *c, rw_step *step, double *energy)
         rw_numerical_destroy(next);
         return status;
     }
-    *energy =
-        work_of(c, next->now.energy - (c->computed.now ? c->computed.now : start)->now.energy);
+    *energy = work_of(c, next->now.energy - (c->computed.now ? c->computed.now->now.energy : 0));
     take(c, start, next, strayed);
     forget_shear(c, step);
     return RWEDGE_OK;

@@ -38,7 +38,7 @@ static int32_t hold(rwedge_contact *c, bool is_held)
     if (status == RWEDGE_OK)
         status = hold(c->computed.exact, is_held);
     if (status == RWEDGE_OK && c->phase == RW_COMPUTED)
-        status = begin_line(&c->computed, is_held ? tilt : moment, tilt == 0);
+        status = begin_line(&c->computed, is_held ? tilt : moment, tilt == 0 && moment == 0);
     if (status == RWEDGE_OK) {
         c->is_held = is_held;
         c->held_tilt = is_held ? tilt : 0;

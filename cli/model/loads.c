@@ -81,11 +81,8 @@ int32_t loads_hold(double tilt, rwedge_contact *contact)
     return status == RWEDGE_OK ? rwedge_contact_guide(contact, 0, tilt, 0, 0) : status;
 }
 
-/* Unlike bodies are pressed along P alone, if they can be: what they keep of it is known best. */
 int32_t loads_apply_monotonic(load to, rwedge_contact *contact)
 {
-    if (rwedge_contact_beta(contact) != 0 && to.M != 0)
-        loads_apply((load){.P = to.P}, contact);
     const int32_t status = loads_apply((load){.P = to.P, .M = to.M}, contact);
     return status == RWEDGE_OK ? loads_apply(to, contact) : status;
 }

@@ -79,9 +79,19 @@ for load in 3 6; do
     done
     close_to "tilt after load $load" "$(reference $load tilt | awk '{ print $1 * 0.01 }')" "$(of_load $load tilt)" 5e-3
 done
-# P comes before M: then all of the error is below the tolerance.
+# P and M come together, then Q; or all in one line.
+told() {
+    awk '/computed numerically/ { sub(/.*tractions to about /, ""); sub(/ of .*/, ""); print ($0 + 0 <= 5e-3); exit }' err
+}
 does solve $bodies --radius 100 --P 1 --M .05 --Q .1 --f .5 --rotation free
-same "pressed first" 1 "$(awk '/computed numerically/ { sub(/.*tractions to about /, ""); sub(/ of .*/, ""); print ($0 + 0 <= 1e-3); exit }' err)"
+same "pressed under P and M first" 1 "$(told)"
+printf 'P,M,Q\n1,0.05,0.1\n' >line.csv
+does history line.csv $cylinder --f .5 --rotation free
+same "all in one line" 1 "$(told)"
+# A cylinder whose rotation is held, under Q in proportion to P, is like itself: b and swing grow like the root of P.
+printf 'P,Q\n1,0.3\n4,1.2\n' >line.csv
+does history line.csv $cylinder --f .5 --rotation held
+close_to "twice as wide" 2 "$(awk -F, 'NR == 1 { for (i = 1; i <= NF; i++) if ($i == "left") at = i } NR == 2 { first = $at } NR == 3 { printf "%.9g", $at / first }' out)" 1e-5
 does history loads.csv $cylinder --f .3 --rotation free
 same "no doubt but what it is" 0 "$(grep -c neglected err)"
 

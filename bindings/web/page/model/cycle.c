@@ -114,15 +114,13 @@ static bool apply_next(listed_load next, size_t cycle)
                      : json_refuse("", "line %d: %s", next.line, why.text);
 }
 
-/* P and M come first, of unlike bodies P before M; then Q and sigma go to and fro. */
+/* P and M come first; then Q and sigma go to and fro. */
 static bool to_and_fro(load form)
 {
-    const listed_load before = {.to = {.P = form.P, .M = form.M}}, pressed = {.to = {.P = form.P}};
+    const listed_load before = {.to = {.P = form.P, .M = form.M}};
     if (form.Q == 0 && form.sigma == 0)
         return json_refuse("", "Q or sigma of the form goes to and fro where no loads are given; "
                                "both are 0");
-    if (asked.setup.is_coupled && form.M != 0 && !apply_next(pressed, 1))
-        return false;
     if (!apply_next(before, 1))
         return false;
     load_list_add(&asked.loads, form, 0);

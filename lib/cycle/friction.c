@@ -20,6 +20,7 @@ typedef struct {
     double slip, limit; /* of the last state in which it slipped: displacement; f |p| */
     size_t limit_at;    /* the state of that limit */
     double least, most; /* displacement while in contact */
+    double moved;       /* by the shear of the present state, where it is computed */
     double shear, energy;
 } place;
 
@@ -93,8 +94,7 @@ static double displacement_at(const place *at, size_t state)
     const rwedge_contact *c = at->cycle->before;
     const rw_state *now = &at->cycle->states[state];
     const rw_entry *entry = &at->cycle->on_the_way.entries[state];
-    const double sum = now->is_computed ? rw_traction_displacement(&entry->shear, at->inside) -
-                                              pressed_by(c, entry, at->inside)
+    const double sum = now->is_computed ? at->moved - pressed_by(c, entry, at->inside)
                                         : c->f * at->sums[at->top].displacement;
     return c->geometry.theta * sum + now->displacement.slope * at->inside + now->displacement.shift;
 }
@@ -263,6 +263,25 @@ static void step_to(place *at, size_t state)
         leave(at, state);
 }
 
+/* Where one of the places is in contact. */
+static void find_moves(const rwedge_cycle *cycle, size_t state, size_t n, place at[])
+{
+    const rw_state *now = &cycle->states[state];
+    double x[RW_SLIP_PLACES], moved[RW_SLIP_PLACES];
+    bool is_asked = false;
+    for (size_t i = 0; i < n; i++) {
+        x[i] = at[i].inside;
+        is_asked = is_asked || is_in(now, cycle->rounding, x[i]);
+    }
+    if (!is_asked || !now->is_computed)
+        return;
+    for (size_t i = 0; i < n; i += RW_TERMS)
+        rw_traction_displacements(&cycle->on_the_way.entries[state].shear,
+                                  n - i < RW_TERMS ? n - i : RW_TERMS, x + i, moved + i);
+    for (size_t i = 0; i < n; i++)
+        at[i].moved = moved[i];
+}
+
 /* All places go from state to state together: one that is computed has much to be read. */
 void rw_slip_measures_at(const rwedge_cycle *cycle, size_t n, const double x[], rw_piece_sum room[],
                          rw_slip_measures measures[])
@@ -270,9 +289,11 @@ void rw_slip_measures_at(const rwedge_cycle *cycle, size_t n, const double x[], 
     place at[RW_SLIP_PLACES];
     for (size_t i = 0; i < n; i++)
         at[i] = place_at(cycle, x[i], room + i * room_of_place(cycle));
-    for (size_t state = 0; state < cycle->count; state++)
+    for (size_t state = 0; state < cycle->count; state++) {
+        find_moves(cycle, state, n, at);
         for (size_t i = 0; i < n; i++)
             step_to(&at[i], state);
+    }
     for (size_t i = 0; i < n; i++)
         measures[i] =
             (rw_slip_measures){fmax(at[i].most - at[i].least, 0), at[i].shear, at[i].energy};

@@ -144,67 +144,93 @@ RW_INLINE double potential_of_load(const rw_element *e, double load, double x)
     return load * rw_log_of_quotient(fabs(end - x) + DBL_MIN, 1);
 }
 
-/* Adds the potential of an element to which some places are near. */
-static void add_near(const rw_element *e, size_t n, const double x[], double sum[])
-{
-    const double load = load_of(e);
-    for (size_t i = 0; i < n; i++) {
-        const double rest =
-            rw_is_far_from_element(e, x[i], 0)
-                ? far_sum(e->x, e->carried, x[i])
-                : poles_at(e, e->terms + 2, e->primitive, e->carried, e->scale, x[i]);
-        sum[i] += rest - potential_of_load(e, load, x[i]);
-    }
-}
-
-/* Adds that of an element from which all places are far: a division for every two of its nodes. */
-RW_INLINE void sum_far(const rw_element *e, double load, const double x[RW_TERMS],
-                       double sum[RW_TERMS])
+/* The potential of an element at places from which it is far: a division for every two nodes. */
+RW_INLINE void far_potentials(size_t n, const rw_element *e, double load, const double x[],
+                              double sum[])
 {
     double all[RW_TERMS] = {0};
     for (int k = 0; k < RW_TERMS; k += 2)
-        RW_EACH (i, RW_TERMS) {
+        RW_EACH (i, n) {
             const double d = e->x[k] - x[i], next = e->x[k + 1] - x[i];
             all[i] += (e->carried[k] * next + e->carried[k + 1] * d) / (d * next);
         }
-    RW_EACH (i, RW_TERMS)
-        sum[i] += all[i] - potential_of_load(e, load, x[i]);
+    RW_EACH (i, n)
+        sum[i] = all[i] - potential_of_load(e, load, x[i]);
 }
 
-RW_DISPATCH(add_far, sum_far,
+RW_INLINE void far_potentials_of_all(const rw_element *e, double load, const double x[RW_TERMS],
+                                     double sum[RW_TERMS])
+{
+    far_potentials(RW_TERMS, e, load, x, sum);
+}
+
+RW_DISPATCH(set_far, far_potentials_of_all,
             (const rw_element *e, double load, const double x[RW_TERMS], double sum[RW_TERMS]),
             (e, load, x, sum))
 
-/* Adds the potential of an element. */
-static void add_potential(const rw_element *e, size_t n, const double x[RW_TERMS],
-                          double sum[RW_TERMS])
+/* Adds the potential of an element at some of the places. */
+static void add_potential(const rw_element *e, const rw_places *places, const double x[],
+                          double sum[])
 {
-    bool are_far = n > 1;
-    for (size_t i = 0; i < n && are_far; i++)
-        are_far = rw_is_far_from_element(e, x[i], 0);
-    if (are_far)
-        add_far(e, load_of(e), x, sum);
-    else
-        add_near(e, n, x, sum);
+    enum { FEW = 3 };
+    const double load = load_of(e);
+    rw_places far;
+    double away[RW_TERMS], own[RW_TERMS];
+    far.count = 0;
+    for (int i = 0; i < places->count; i++) {
+        const int place = places->place[i];
+        const bool is_far = rw_is_far_from_element(e, x[place], 0);
+        rw_places_put(&far, place, is_far);
+        if (!is_far)
+            sum[place] += poles_at(e, e->terms + 2, e->primitive, e->carried, e->scale, x[place]) -
+                          potential_of_load(e, load, x[place]);
+    }
+    if (far.count == 0)
+        return;
+    for (int i = 0; i < RW_TERMS; i++)
+        away[i] = x[far.place[i < far.count ? i : 0]];
+    if (far.count > FEW)
+        set_far(e, load, away, own);
+    for (int i = 0; i < far.count; i++) {
+        if (far.count <= FEW)
+            far_potentials(1, e, load, away + i, own + i);
+        sum[far.place[i]] += own[i];
+    }
+}
+
+/* Adds the displacement of a cluster, times pi where it is of its elements. */
+static void add_displacement(const rw_traction *t, const rw_cluster *c, const rw_places *places,
+                             const double x[], double near_sum[], double far_sums[])
+{
+    rw_places near;
+    near.count = 0;
+    for (int i = 0; i < places->count; i++) {
+        const int place = places->place[i];
+        const bool is_far = rw_is_far(c, x[place], 0);
+        rw_places_put(&near, place, !is_far);
+        if (is_far)
+            far_sums[place] += rw_cluster_displacement(c, x[place]);
+    }
+    if (near.count > 0 && c->parts > 0) {
+        const rw_cluster *left = c + 1, *right = left + 1 + left->parts;
+        add_displacement(t, left, &near, x, near_sum, far_sums);
+        add_displacement(t, right, &near, x, near_sum, far_sums);
+    } else if (near.count > 0)
+        for (size_t i = 0; i < c->count; i++)
+            add_potential(&t->elements[c->first + i], &near, x, near_sum);
 }
 
 void rw_traction_displacements(const rw_traction *t, size_t n, const double x[], double w[])
 {
-    const rw_cluster all = all_of(t), *c = t->cluster_count > 0 ? t->clusters : &all;
-    const rw_cluster *end = c + (t->cluster_count > 0 ? t->cluster_count : 1);
-    double at[RW_TERMS], near[RW_TERMS] = {0}, far[RW_TERMS] = {0};
-    for (size_t i = 0; i < RW_TERMS; i++)
-        at[i] = beside(t, x[i < n ? i : 0], WELL_BESIDE);
-    while (c < end) {
-        bool is_done = true;
-        for (size_t i = 0; i < n && is_done; i++)
-            is_done = rw_is_far(c, at[i], 0);
-        for (size_t i = 0; i < n && is_done; i++)
-            far[i] += rw_cluster_displacement(c, at[i]);
-        for (size_t i = 0; i < c->count && c->parts == 0 && !is_done; i++)
-            add_potential(&t->elements[c->first + i], n, at, near);
-        c += is_done ? 1 + c->parts : 1;
+    const rw_cluster all = all_of(t);
+    double at[RW_TERMS] = {0}, near[RW_TERMS] = {0}, far[RW_TERMS] = {0};
+    rw_places places;
+    places.count = 0;
+    for (size_t i = 0; i < n; i++) {
+        at[i] = beside(t, x[i], WELL_BESIDE);
+        rw_places_put(&places, (int)i, true);
     }
+    add_displacement(t, t->cluster_count > 0 ? t->clusters : &all, &places, at, near, far);
     for (size_t i = 0; i < n; i++)
         w[i] = near[i] / RW_PI + far[i];
 }

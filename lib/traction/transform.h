@@ -18,7 +18,8 @@ double rw_traction_slope(const rw_traction *traction, double x);
 /* w at a place of the surface, up to a constant that depends on the unit of length. */
 double rw_traction_displacement(const rw_traction *traction, double x);
 
-/* Sets w at n <= RW_TERMS places, quicker where they are close to one another. */
+/* Sets w at n <= RW_TERMS places, quicker than one by one. That of a place does not depend on the
+ * others. */
 void rw_traction_displacements(const rw_traction *traction, size_t n, const double x[], double w[]);
 
 /* Omega and y Omega' at n <= RW_BATCH places; on the surface, Omega + i t and 0. What a place has

@@ -73,7 +73,7 @@ static bool fit_traction(const rwedge_contact *c, const rw_frame *frame, rw_nume
     return rw_traction_fit(&now->shear.traction, traction_at, c, n, at, tolerance, 0);
 }
 
-/* That of unlike bodies, which slide. */
+/* The pressure of unlike bodies, which slide. */
 static void pressure_at(const double x[], const void *context, double value[])
 {
     static const double surface[RW_TERMS] = {0};
@@ -121,9 +121,9 @@ rw_scaled_loads rw_loads_before_touching(const rwedge_contact *c, rw_scaled_load
     return rw_contact_scaled_loads(c, 0, c->is_held ? to.turn : 0, 0, rw_contact_stretch(c, sigma));
 }
 
-/* On a straight line from touching, t grows where all sticks by (dQ/pi - dstretch x)/sqrt(b^2 -
- * x^2), if the contact has a middle that stays: by the pressure's growth times mean + slope x. The
- * part of the line after which the edges slip. */
+/* The part of a straight line from touching after which the edges slip. Where all sticks t grows by
+ * (dQ/pi - dstretch x)/sqrt(b^2 - x^2), if the contact has a middle that stays: by the pressure's
+ * growth times mean + slope x. */
 static double stuck_part(const rwedge_contact *c, rw_scaled_loads change, rw_patch contact)
 {
     if (!rw_is_symmetric(&c->geometry) || contact.left != -contact.right)

@@ -33,7 +33,7 @@ static double part_of(const bonded *b, double x, double from, double to)
     return sum;
 }
 
-/* For x > 0. */
+/* The traction at a place x > 0. */
 static double traction_at_place(const bonded *b, double x)
 {
     enum { PANELS = 4 };
@@ -102,9 +102,9 @@ bool rw_press_bonded(const rw_frame *frame, rw_numerical_state *state)
     return fit(&b, state);
 }
 
-/* Beside coupled boundary elements: of the factor, and where the rim, which is about so wide,
- * slips. With B = 0.143 and f = 0.1, 0.15, 0.2 the shear differs by 0.047, 0.020 and 0.012 in the
- * mean, by up to 0.12, 0.04 and 0.04. */
+/* The error of the factor, and where the rim, which is about so wide, slips: beside coupled
+ * boundary elements. With B = 0.143 and f = 0.1, 0.15, 0.2 the shear differs by 0.047, 0.020 and
+ * 0.012 in the mean, by up to 0.12, 0.04 and 0.04. */
 double rw_bonded_error(const rw_frame *frame)
 {
     static const double OF_FACTOR = 0.1;

@@ -27,8 +27,8 @@ static rw_turns turns_of(const rw_frame *frame, rw_patch from, rw_patch to)
                             : rw_arcs_turns(&frame->arcs, from, to);
 }
 
-/* To loads under which this is the contact, in parts where P grows or falls much: a contact that
- * becomes much larger or smaller errs in parts of each peak pressure that it has on the way. A
+/* Goes to loads under which this is the contact, in parts where P grows or falls much: a contact
+ * that becomes much larger or smaller errs in parts of each peak pressure that it has on the way. A
  * step ends where an edge turns, because slip counts from when a place comes into contact. */
 static int32_t advance(rw_numerical *n, const rw_frame *frame, rw_scaled_loads to, rw_patch contact)
 {
@@ -127,7 +127,7 @@ static double added(const rw_frame *frame, const rw_numerical *from, const rw_nu
     return rw_numerical_error(next) - rw_numerical_error(from) * before / after;
 }
 
-/* Over the tolerance: a load that adds more to the error has not converged, as the header says. */
+/* A load that adds more to the error, over the tolerance, has not converged, as the header says. */
 static const double MOST_ADDED = 10;
 
 /* A copy of the state `from`, or the state on a line from touching that goes on. */
@@ -281,7 +281,7 @@ static rw_numerical *start_of(const rwedge_contact *c)
     return NULL;
 }
 
-/* Of the load: what may be left where nothing sticks any more under a tension. */
+/* What may be left of the load where nothing sticks any more under a tension. */
 static const double LAST_STICK = 1.0 / 32;
 
 /* The work of the last part of the load is negligible. */

@@ -74,7 +74,7 @@ static double excess_at_end(const onset *o, int side)
     return fabs(D[side]) - 1;
 }
 
-/* By regula falsi (Illinois), whose values beyond the onset may be no more than a sign. */
+/* Finds the onset by regula falsi (Illinois), whose values beyond it may be no more than a sign. */
 static double find(const onset *o)
 {
     double low = 0, high = 1, at_low = o->at_start, at_high = 1;

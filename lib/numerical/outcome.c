@@ -9,7 +9,7 @@
 /* Kinks, bends and the edges. */
 enum { MOST_BREAKS = RW_MOST_KINKS + RW_MOST_BENDS + 2 };
 
-/* Of the width: breaks that are closer are one. */
+/* Breaks that are closer, over the width, are one. */
 static const double SAME_BREAK = 1e-8;
 
 static double fit_tolerance(const rw_problem *p)
@@ -184,8 +184,8 @@ static void check_friction(const rw_problem *p, rw_outcome *o, double from, doub
         add_slip(o, label, begun, to);
 }
 
-/* That of a place that sticks and was in contact before: dw is the constant of all that sticks. NaN
- * where no such place is left. */
+/* The move of a place that sticks and was in contact before: dw is the constant of all that sticks.
+ * NaN where no such place is left. */
 static double rigid_move(const rw_problem *p, const rw_shear_state *s)
 {
     const rw_patch stuck = rw_zones_widest_stick(&s->zones, p->from);

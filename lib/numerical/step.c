@@ -289,8 +289,8 @@ static double difference(double scale, rw_patch before, const rw_numerical_state
     return most;
 }
 
-/* By how much D half-way differs from that of the whole, at an edge that sticks, as a traction at
- * the place of the old edge. */
+/* How much D half-way differs from that of the whole, at an edge that sticks, as a traction at the
+ * place of the old edge. */
 static double growth_error(rw_work *w, rw_patch before, const rw_numerical_state *whole,
                            const rw_numerical_state *half, const rw_numerical_state *both)
 {
@@ -321,9 +321,9 @@ static double ratio_at_edge(const rw_frame *frame, const rw_numerical_state *s, 
     return 2 * ratio[0] - ratio[1];
 }
 
-/* At an edge that grows and sticks shear over friction is D at the end of the step. Its layers and
- * the rest meet that where D is linear along the way. What they lack is an error, as a traction at
- * the place of the old edge. */
+/* Shear over friction, at an edge that grows and sticks, is D at the end of the step. Its layers
+ * and the rest meet that where D is linear along the way. What they lack is an error, as a traction
+ * at the place of the old edge. */
 static double edge_error(rw_work *w, const rw_numerical_state *from,
                          const rw_numerical_state *there)
 {

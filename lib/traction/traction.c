@@ -215,7 +215,7 @@ static bool is_fine(const fit *how, double rest, double whole)
     return !(rest > how->tolerance) || (rest < how->noise * how->tolerance && rest > whole / 2);
 }
 
-/* Without the last terms that are lost in the tolerance. */
+/* Leaves out the last terms that are lost in the tolerance. */
 static void shorten(const fit *how, rw_element *e)
 {
     for (int k = RW_TERMS - 1; k > 0 && fabs(e->coefficient[k]) < RW_LOST * how->tolerance; k--)
@@ -263,9 +263,9 @@ bool rw_traction_fit(rw_traction *t, rw_values f, const void *context, size_t br
 
 /* ---- Reading ---- */
 
-/* Of an element at a block of places, by Clenshaw's recurrence, which takes two terms a turn:
- * compilers do not make vector instructions of one that moves b1 to b2. The two halves of a block
- * do not wait for each other. */
+/* Values of an element at a block of places, by Clenshaw's recurrence, which takes two terms a
+ * turn: compilers do not make vector instructions of one that moves b1 to b2. The two halves of a
+ * block do not wait for each other. */
 enum { BLOCK = RW_TERMS };
 
 RW_INLINE void clenshaw(const rw_element *e, size_t n, const double x[], double value[])

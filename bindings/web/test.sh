@@ -29,7 +29,7 @@ for file in LICENSE NOTICE README.md rwedge.mjs rwedge.d.mts; do
     [ -s $installed/$file ] || fail "the package has no $file"
 done
 bytes=$(cat $installed/*.mjs | gzip -9 | wc -c)
-[ "$bytes" -lt 350000 ] || fail "$bytes bytes when compressed, which is more than 350 kB"
+[ "$bytes" -lt 375000 ] || fail "$bytes bytes when compressed, which is more than 375 kB"
 echo "$bytes bytes when compressed"
 ! grep -nE '\b(eval|Function|fetch|XMLHttpRequest|require)\(' $installed/*.mjs | cut -c 1-200 | grep . || fail "eval, or a connection"
 

@@ -101,11 +101,11 @@ static bool has_stuck(const rw_numerical_state *from, const rw_numerical_state *
            rw_zones_label(&half->shear.zones, x) == 0;
 }
 
-/* Where it sticks the relative displacement is that of the
- * moment when it began to stick, and so is its error. The traction follows from that displacement
- * and from the tractions of all other places: these errors are of the present step, whatever the
- * steps before it were. Nor does it add up what fits lose: that changes its sign within an element,
- * and the fit of the next step takes its mean. */
+/* Where it sticks the relative displacement is that of the moment when it began to stick, and so is
+ * its error. The traction follows from that displacement and from the tractions of all other
+ * places: these errors are of the present step, whatever the steps before it were. But what sticks
+ * by the grid moves a little. What fits lose does not add up: it changes its sign within an
+ * element, and the fit of the next step takes its mean. */
 void rw_numerical_note_error(rw_numerical *n, const rw_numerical_state *half, rw_numerical_state *s,
                              double tolerance)
 {
@@ -115,7 +115,7 @@ void rw_numerical_note_error(rw_numerical *n, const rw_numerical_state *half, rw
         const double x = rw_place(s->contact, i), before = error_at(n, x);
         const bool slips = rw_zones_label(&s->shear.zones, x) != 0;
         const bool is_old = has_stuck(&n->now, half, x);
-        error[i] = slips ? 0 : is_old ? before : s->error + s->apart[i];
+        error[i] = slips ? 0 : is_old ? hypot(before, s->drift) : s->error + s->apart[i];
         most = slips ? most : fmax(most, (is_old ? hypot(before, at_most) : at_most) + s->apart[i]);
     }
     memcpy(n->error, error, sizeof error);

@@ -397,7 +397,7 @@ bool rw_outcome_of_grid(const rw_fronts *f, const rw_grid *g, const rw_problem *
                         const rw_layers *layers, rw_outcome *o)
 {
     const double error = GRID_ERROR / g->n;
-    *o = (rw_outcome){.violation = error, .layers = *layers, .D = {NAN, NAN}};
+    *o = (rw_outcome){.violation = error, .drift = error, .layers = *layers, .D = {NAN, NAN}};
     rw_grid_zones_met(g, p, &o->state.zones);
     const after n = {p, &o->state.zones, {.count = 0}, f, g, layers};
     return complete(&n, fmax(fit_tolerance(p), RW_FIT * error * p->scale), o);

@@ -11,6 +11,7 @@ typedef struct {
     rw_shear_state state;
     double violation; /* the largest: excess of |t| over the scale, f times the peak pressure; or
                          slip the wrong way over the scale times the half-width */
+    double drift;     /* the violation that is displacement of what sticks: of the grid all of it */
     double energy;    /* in theta^2/A */
     double doubt;     /* by how much friction that changes may make the energy wrong */
     double move;      /* of what sticks: the constant part of dw */

@@ -133,7 +133,8 @@ void rw_note_outcome(const rw_problem *p, const rw_numerical_state *from, rw_sca
         .doubt = outcome->doubt,
         .layers = outcome->layers,
         .D = {outcome->D[0], outcome->D[1]},
-        .error = outcome->violation};
+        .error = outcome->violation,
+        .drift = outcome->drift};
 }
 
 void rw_displacements_of(const rw_numerical_state *s, size_t n, const double x[], double w[])
@@ -357,5 +358,6 @@ double rw_compare(rw_work *w, const rw_numerical_state *from, const rw_numerical
     const double apart = difference(scale, before, whole, both, both->apart);
     both->energy += (both->energy - whole->energy) / 3;
     both->doubt += half->doubt;
+    both->drift += half->drift;
     return fmax(both->error + apart, fabs(energy) / RW_ENERGY_APART) / frame->tolerance;
 }

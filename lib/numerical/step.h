@@ -40,6 +40,7 @@ typedef struct {
     double doubt;        /* of the energy of the step that led here (outcome.h) */
     double error;        /* violations of the step that led here, over the scale; of the present
                                 state: all of its error */
+    double drift;        /* what of them stays where it sticks (outcome.h) */
     double start_error, end_error, rate_error; /* its errors by the rates at its ends (rates.h),
                                 and the larger one, over the scale */
     bool is_exact;                             /* what sticks after that step stuck all the time */

@@ -477,6 +477,26 @@ CLAIM(a_load_that_may_take_no_effort_has_an_answer)
     assert_in_range(rw_numerical_error(c->numerical) * 1e4, 10, 1000);
 }
 
+/* Places that stick keep the displacement of the grid, and what is wrong with it: after a load as
+ * exact as any its error was told as 1e-5. */
+CLAIM(an_error_of_the_grid_stays_where_it_sticks)
+{
+    pair *c = begin(4, 0, 1e-4);
+    assert_int_equal(
+        rw_numerical_step(c->numerical, &c->frame, (rw_scaled_loads){4, 0, 0.5, 0}, &(int){-1}),
+        RWEDGE_OK);
+    const double error = rw_numerical_error(c->numerical);
+    assert_in_range(error * 1e4, 10, 1000);
+    assert_ok(rwedge_contact_apply(c->exact, 4, 0, 0.9, 0));
+    assert_int_equal(rw_numerical_step(c->numerical, &c->frame, (rw_scaled_loads){4, 0, 0.9, 0},
+                                       &(int){RW_MOST_EFFORT}),
+                     RWEDGE_OK);
+    print_message("    wrong by %.1e, told %.1e\n", difference(c),
+                  rw_numerical_error(c->numerical));
+    assert_within(difference(c), 0, rw_numerical_error(c->numerical));
+    assert_within(rw_numerical_error(c->numerical), error, 0.1 * error);
+}
+
 CLAIM(zones_are_not_searched_when_the_effort_is_spent)
 {
     pair *c = begin(4, 0, 1e-4);

@@ -104,8 +104,9 @@ static bool has_stuck(const rw_numerical_state *from, const rw_numerical_state *
 /* Where it sticks the relative displacement is that of the moment when it began to stick, and so is
  * its error. The traction follows from that displacement and from the tractions of all other
  * places: these errors are of the present step, whatever the steps before it were. But what sticks
- * by the grid moves a little. What fits lose does not add up: it changes its sign within an
- * element, and the fit of the next step takes its mean. */
+ * by the grid moves a little, and slip that has gone too far shows when it ends. What fits lose
+ * does not add up: it changes its sign within an element, and the fit of the next step takes its
+ * mean. */
 void rw_numerical_note_error(rw_numerical *n, const rw_numerical_state *half, rw_numerical_state *s,
                              double tolerance)
 {
@@ -115,7 +116,10 @@ void rw_numerical_note_error(rw_numerical *n, const rw_numerical_state *half, rw
         const double x = rw_place(s->contact, i), before = error_at(n, x);
         const bool slips = rw_zones_label(&s->shear.zones, x) != 0;
         const bool is_old = has_stuck(&n->now, half, x);
-        error[i] = slips ? 0 : is_old ? hypot(before, s->drift) : s->error + s->apart[i];
+        const bool slipped = rw_zones_label(&n->now.shear.zones, x) != 0;
+        error[i] = slips    ? s->end_error
+                   : is_old ? hypot(before, s->drift)
+                            : s->error + s->apart[i] + (slipped ? before : 0);
         most = slips ? most : fmax(most, (is_old ? hypot(before, at_most) : at_most) + s->apart[i]);
     }
     memcpy(n->error, error, sizeof error);

@@ -12,7 +12,7 @@ typedef struct {
     rw_numerical_state now;
     bool has_origin;         /* whether the slip is known */
     rw_traction origin;      /* slip less displacement: constant at a place while in contact */
-    double error[RW_PLACES]; /* of the traction by place, since it sticks there */
+    double error[RW_PLACES]; /* of the traction by place, since or once it sticks there */
     rw_friction friction;    /* of the contact now, for the next load; none at first */
 } rw_numerical;
 

@@ -236,6 +236,16 @@ static double next_break(const rw_problem *p, double end, int way)
     return next;
 }
 
+/* The same of friction, whose slope is infinite at a kink of the profile. */
+static double next_bend(const rw_frame *frame, double end, int way)
+{
+    double next = HUGE_VAL;
+    for (int i = 0; i < frame->bends; i++)
+        if (way * (frame->bend[i] - end) > 0)
+            next = rw_smaller(next, fabs(frame->bend[i] - end));
+    return next;
+}
+
 /* Panels that shrink to a distance. */
 static double shrinking(double distance, double length)
 {
@@ -247,8 +257,11 @@ static int panels_towards(const rw_problem *p, const rw_stuck *s, double end, in
                           double length, int finest)
 {
     const double front = nearest_end(s, end), other = next_break(p, end, way);
-    if (front == 0)
-        return (int)fmax(0, fmin(finest, shrinking(NARROWEST * p->half, length) - 1));
+    if (front == 0) {
+        const double bend = next_bend(p->frame, end, way);
+        const double least = bend < length ? fmin(AWAY, shrinking(bend, length) - 1) : 0;
+        return (int)fmax(least, fmin(finest, shrinking(NARROWEST * p->half, length) - 1));
+    }
     if (front < length)
         return (int)fmin(RW_MOST_PANELS, fmax(2, 1 + shrinking(front, length)));
     return other < length ? (int)fmin(AWAY, shrinking(other, length)) : 0;

@@ -499,11 +499,25 @@ static const struct {
       .tolerance = 0.001,
       .load = {{4.5795347863318048, 0, 0, 0},
                {4.5795347863318048, 0, -1.0594143112560037, 0.78888331279840873}}}},
+    {3.2,
+     1,
+     {.pad = PROFILE,
+      .loads = 2,
+      .f = 0.92115226443385489,
+      .tolerance = 0.01,
+      .load = {{0.71264232632888691, 0, 0, 0},
+               {0.71264232632888691, 0, -0.36656226696677158, 0.51060204407988907},
+               {0.71264232632888691, 0, 0.22298415425179144, 0.52012449917428305}},
+      .places = 4,
+      .x = {-0.81865794175833906, -0.81865794175833906, 0.3989051239723147, 0.77446836230159799},
+      .slope = {-0.29999999999999999, -0.057747690356319124, 0.16023417977155999,
+                0.29999999999999999}}},
 };
 
 /* A contact grows, and slip begins at one edge: D at the other one takes another course from then
  * on. Or it grows so much that D half-way is not what the step took it for. Or a step of constant P
- * ends with slip that has gone too far, and the next one, exact in itself, sticks there. */
+ * ends with slip that has gone too far, and the next one, exact in itself, sticks there. Or a front
+ * comes to lie beside a kink of the profile, where friction rises with no end to its slope. */
 CLAIM(errors_that_were_told_too_small)
 {
     for (size_t i = 0; i < sizeof found / sizeof *found; i++) {

@@ -595,8 +595,8 @@ RWEDGE_API double rwedge_contact_strain(const rwedge_contact *contact);
  * its length.
  * In partial slip, with a tolerance of 1e-3 and |beta| <= 0.2, edges err by less than 1e-3 of the
  * half-width, q by 5e-4 of f times the peak pressure in the mean, the stress beside the contact by
- * 0.5 % of its largest value, the energy of a cycle by 1 %; rwedge_contact_error() estimates the
- * largest error of q away from fronts: in the tests q erred by more at 2 of 181 places, 1.3 times
+ * 0.5 % of its largest value, the energy of a cycle by 1 %; rwedge_contact_error() estimates how
+ * much q errs at most away from fronts: in the tests it erred by more at 2 of 181 places, 1.3 times
  * as much. A load takes a tenth of a second to one, some seconds where P rises as Q turns round.
  * The first load, in whatever proportion of P, M or tilt, Q and sigma, is summed up on 160 cells
  * from touching on, with what slips meanwhile, in a quarter of a second; q then errs by 1e-4 to

@@ -42,8 +42,9 @@ int main(void)
         bool has_result = false;
         for (int number = 0; number < NUMBERS; number++)
             has_result |= print_call(&calls[i], number);
-        /* random numbers are no state */
-        if (strcmp(calls[i].entry->name, "contact_restore") == 0)
+        /* random numbers are no state and no loop; loads, of which a fit has thousands, are compared */
+        if (strcmp(calls[i].entry->name, "contact_restore") == 0 ||
+            strcmp(calls[i].entry->name, "contact_loop_fit") == 0)
             continue;
         if (!has_result)
             fprintf(stderr,

@@ -209,8 +209,7 @@ bool rw_step_goes_on(rw_work *w, const rw_numerical_state *from, rw_numerical_st
     rw_outcome outcome;
     if (w->frame->B != 0) /* the pressure changes */
         return false;
-    const bool is_set = set_problem(w, from, there->at, there->contact, &p);
-    if (NEVER(!is_set)) /* the step to `there` has read and kept both frictions */
+    if (!set_problem(w, from, there->at, there->contact, &p))
         return false;
     rw_fronts_forget(&w->fronts);
     if (!p.is_still || fmax(from->rate_error, there->rate_error) > p.allowed ||

@@ -42,7 +42,7 @@ int main(void)
         bool has_result = false;
         for (int number = 0; number < NUMBERS; number++)
             has_result |= print_call(&calls[i], number);
-        /* random numbers are no state and no loop; loads, of which a fit has thousands, are compared */
+        /* random numbers are no state, and no loop */
         if (strcmp(calls[i].entry->name, "contact_restore") == 0 ||
             strcmp(calls[i].entry->name, "contact_loop_fit") == 0)
             continue;

@@ -176,16 +176,20 @@ static double points_of_corners(const work *w)
     return out[0][0];
 }
 
-static double yield_factors(const work *w)
+static double yield_factors_of(rwedge_contact *contact, long n)
 {
-    rwedge_contact *contact = worn_contact(w->first, w->second);
     double sum = 0, factor;
-    for (long i = 0; i < w->n; i++) {
+    for (long i = 0; i < n; i++) {
         must(rwedge_contact_yield_factor(contact, 0.3, 100, &factor, NULL, NULL));
         sum += factor;
     }
     rwedge_contact_destroy(contact);
     return sum;
+}
+
+static double yield_factors(const work *w)
+{
+    return yield_factors_of(worn_contact(w->first, w->second), w->n);
 }
 
 /* Loads that grow, each remembered because Q/f bends. */
@@ -431,14 +435,7 @@ static double single_points_that_slide(const work *w)
 
 static double yield_factors_that_slide(const work *w)
 {
-    rwedge_contact *contact = sliding(w->first);
-    double sum = 0, factor;
-    for (long i = 0; i < w->n; i++) {
-        must(rwedge_contact_yield_factor(contact, 0.3, 100, &factor, NULL, NULL));
-        sum += factor;
-    }
-    rwedge_contact_destroy(contact);
-    return sum;
+    return yield_factors_of(sliding(w->first), w->n);
 }
 
 static double shakedown_factors_that_slide(const work *w)

@@ -317,7 +317,7 @@ static void read_loop(const arguments *line, char decimal_sign, figure_case *inp
     if (!case_read(&texts, CASE_LOADS_APART, setup, &why))
         usage_error("%s", why.text);
     load_history_read_measured(&bodies, decimal_sign, log);
-    if (!loop_fit_find(setup->contact, log->count, log->load, &inputs->fit, &why))
+    if (!log_fit_find(setup->contact, log->count, log->load, &inputs->fit, &why))
         failure("%s: %s", log->name, why.text);
 }
 

@@ -81,7 +81,7 @@ typedef struct {
     last_cycle last; /* of figure crack */
     crack_plan crack;
     const series_table *tests; /* of figure tests */
-    loop_fit fit;              /* of figure measured */
+    log_fit fit;               /* of figure measured */
 } figure_case;
 
 double case_value(const figure_case *inputs, int variable);

@@ -27,8 +27,8 @@ static double left_of(size_t count, const load row[], const double fitted[])
 }
 
 /* The bodies are apart where P is negative. */
-bool loop_fit_find(const rwedge_contact *contact, size_t count, const load row[], loop_fit *fit,
-                   complaint *why)
+bool log_fit_find(const rwedge_contact *contact, size_t count, const load row[], log_fit *fit,
+                  complaint *why)
 {
     double *P = memory_zeroed(5 * count + 1, sizeof *P), *M = P + count, *sigma = M + count,
            *displacement = sigma + count, *Q = displacement + count;
@@ -40,7 +40,7 @@ bool loop_fit_find(const rwedge_contact *contact, size_t count, const load row[]
         Q[i] = row[i].Q;
     }
     double told[LOOP_PARTS] = {0}, regime = 0;
-    *fit = (loop_fit){.Q = memory_zeroed(count + 1, sizeof *fit->Q)};
+    *fit = (log_fit){.Q = memory_zeroed(count + 1, sizeof *fit->Q)};
     const int32_t status =
         rwedge_contact_loop_fit(contact, count, P, M, sigma, displacement, Q, fit->value,
                                 fit->uncertainty, told, &regime, fit->Q);

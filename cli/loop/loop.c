@@ -48,7 +48,7 @@ typedef struct {
     load_history log;
     log_cycles cycles;
     bool is_by_cycle, is_fitted;
-    loop_fit *fit; /* of the log, or of each cycle */
+    log_fit *fit; /* of the log, or of each cycle */
     size_t fits;
 } plan;
 
@@ -76,8 +76,8 @@ static void compute(plan *job)
     job->fits = job->is_by_cycle ? whole : 1;
     job->fit = memory_zeroed(job->fits, sizeof *job->fit);
     for (size_t i = 0; i < job->fits; i++)
-        if (!loop_fit_find(job->setup.contact, row_count(job, i), job->log.load + first_row(job, i),
-                           &job->fit[i], &why))
+        if (!log_fit_find(job->setup.contact, row_count(job, i), job->log.load + first_row(job, i),
+                          &job->fit[i], &why))
             failure("%s: %s", job->log.name, why.text);
 }
 
@@ -125,7 +125,7 @@ static void write_fit(const plan *job, size_t i, records *rows)
                               "the loop is a line within its noise: f is not told",
                           [RWEDGE_LOOP_PARTIAL_SLIP] = "Q does not reach f P",
                           [RWEDGE_LOOP_GROSS_SLIP] = "Q reaches f P: the contact slides"};
-    const loop_fit *fit = &job->fit[i];
+    const log_fit *fit = &job->fit[i];
     for (int j = 0; j < LOOP_PARTS; j++)
         write_row(job, i, names[j], cell_number(fit->value[j]), fit->uncertainty[j], meanings[j],
                   rows);

@@ -4,7 +4,7 @@
 
 #include "history/history.h"
 
-/* ---- loop_fit ---- Friction, compliance and offset from Q over the displacement. */
+/* ---- log_fit ---- Friction, compliance and offset from Q over the displacement. */
 
 enum { LOOP_F, LOOP_COMPLIANCE, LOOP_OFFSET, LOOP_PARTS };
 
@@ -14,12 +14,12 @@ typedef struct {
     double noise; /* the root of the mean square of what is left of Q */
     int regime;
     double *Q; /* fitted, of each row; to be freed */
-} loop_fit;
+} log_fit;
 
 /* Fits the rows, which have what was measured: loads that are not driven, with their displacement.
  * False, with the complaint. */
-bool loop_fit_find(const rwedge_contact *contact, size_t count, const load row[], loop_fit *fit,
-                   complaint *why);
+bool log_fit_find(const rwedge_contact *contact, size_t count, const load row[], log_fit *fit,
+                  complaint *why);
 
 /* ---- loop_area ---- The energy of a loop. */
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-#include "computed/growth.h"
+#include "computed/growing_cells.h"
 
 #include "base/domain.h"
 #include "base/linear.h"

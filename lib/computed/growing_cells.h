@@ -5,8 +5,8 @@
  * of the shear is f times that of the pressure. Tractions are constant over cells, and the
  * contact grows to the next cell, wherever that closes first: so no place comes into contact within
  * a step. Cells are finest where the bodies touch first. */
-#ifndef RW_GROWTH_H
-#define RW_GROWTH_H
+#ifndef RW_GROWING_CELLS_H
+#define RW_GROWING_CELLS_H
 
 #include "numerical/step.h"
 

@@ -9,10 +9,15 @@
 
 #include "base/root.h"
 
+#include <float.h>
+#include <math.h>
 #include <stdbool.h>
 #include <stddef.h>
 
 enum { RW_TERMS = 16 };
+
+/* Places closer than this over x are one but for rounding. */
+#define RW_SAME_PLACE (64 * DBL_EPSILON)
 
 typedef struct {
     double end, scale, first, last;
@@ -24,6 +29,12 @@ typedef struct {
     double primitive[RW_TERMS + 2];  /* coefficients of the load from first to u */
     double carried[RW_TERMS];        /* that load at the nodes times scale d(u^2) */
 } rw_element;
+
+/* u at a place; that of an end where the place is beyond it. */
+static inline double rw_element_u(const rw_element *e, double x)
+{
+    return fmax(e->first, fmin(e->last, sqrt(fmax(0, (x - e->end) / e->scale))));
+}
 
 /* Elements in a row: clusters.h. */
 typedef struct {
@@ -72,6 +83,11 @@ void rw_traction_simplify(rw_traction *traction, double tolerance);
  * them. */
 void rw_traction_raise(rw_traction *traction, double from, double to, double mean);
 
+/* Whether one element from each of two places fits all between them, with a kink, to the
+ * tolerance. */
+bool rw_traction_is_smooth(const rw_traction *traction, double from, double kink, double to,
+                           double tolerance);
+
 /* The last element that begins at x or before; the first one where there is none. */
 size_t rw_traction_index(const rw_traction *traction, double x);
 
@@ -79,11 +95,6 @@ size_t rw_traction_index(const rw_traction *traction, double x);
  * read together. */
 void rw_traction_values(const rw_traction *traction, size_t n, const double x[], double value[]);
 double rw_traction_at(const rw_traction *traction, double x);
-
-/* Whether one element from each of two places fits all between them, with a kink, to the
- * tolerance. */
-bool rw_traction_is_smooth(const rw_traction *traction, double from, double kink, double to,
-                           double tolerance);
 
 /* Its integral; that from its left end to a place. */
 double rw_traction_total(const rw_traction *traction);

@@ -4,6 +4,7 @@
 #include "numerical/energy.h"
 #include "numerical/onset.h"
 #include "numerical/origin.h"
+#include "numerical/passing.h"
 
 #include <stdlib.h>
 
@@ -113,12 +114,14 @@ static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, dou
 static bool advance_to_onset(load_work *j, int division, rw_scaled_loads to, double length,
                              int effort, double onset);
 
-/* The part of a step, known as a whole or not, after which slip begins at an edge that grows. */
+/* The part of a step, known as a whole or not, after which an edge that grows takes another course:
+ * it comes to a kink, or slip begins there. */
 static double onset_in(load_work *j, const rw_numerical_state *whole)
 {
-    return is_known(whole) && j->work.frame->B == 0
-               ? rw_onset_of_slip(&j->work, &j->next->now, whole)
-               : 1;
+    if (!is_known(whole) || j->work.frame->B != 0)
+        return 1;
+    const double passing = rw_passing_of_kink(&j->work, &j->next->now, whole);
+    return passing < 1 ? passing : rw_onset_of_slip(&j->work, &j->next->now, whole);
 }
 
 /* Goes on over each moment at which slip begins at an edge. `length` becomes that of what is left,

@@ -512,12 +512,42 @@ static const struct {
       .x = {-0.81865794175833906, -0.81865794175833906, 0.3989051239723147, 0.77446836230159799},
       .slope = {-0.29999999999999999, -0.057747690356319124, 0.16023417977155999,
                 0.29999999999999999}}},
+    {3.6,
+     1,
+     {.pad = PROFILE,
+      .loads = 1,
+      .f = 0.70865079243763351,
+      .tolerance = 0.001,
+      .load = {{0.21502638310664524, 0, 0, 0},
+               {0.2597165951108622, -0.014062795661776232, -0.014485225854247498,
+                0.074135480228291029}},
+      .places = 6,
+      .x = {-0.86029027834775551, -0.86029027834775551, -0.20047910609496045, -0.16496110812349274,
+            0.32724938669191284, 0.40261677320453804},
+      .slope = {-0.29999999999999999, -0.14192060205481763, -0.11093841324697713,
+                -0.065408358012369591, 0.064052641541427868, 0.29999999999999999}}},
+    {1.9,
+     1,
+     {.pad = PROFILE,
+      .loads = 1,
+      .f = 0.22684425148765436,
+      .tolerance = 0.001,
+      .load = {{0.11889680469045183, 0, 0, 0},
+               {0.1554202426438232, -0.0030473285484383782, 0.0007091832367041907,
+                -0.0032978522245593039}},
+      .places = 7,
+      .x = {-0.82155887208187073, -0.45177579003664992, -0.45177579003664992, -0.36716621486218237,
+            -0.16430108541444888, -0.16430108541444888, 0.031428622956803487},
+      .slope = {-0.29999999999999999, -0.098583778488800969, -0.07234871161936525,
+                0.039178449104802747, 0.087780910912248822, 0.10950064775936687,
+                0.29999999999999999}}},
 };
 
 /* A contact grows, and slip begins at one edge: D at the other one takes another course from then
  * on. Or it grows so much that D half-way is not what the step took it for. Or a step of constant P
  * ends with slip that has gone too far, and the next one, exact in itself, sticks there. Or a front
- * comes to lie beside a kink of the profile, where friction rises with no end to its slope. */
+ * comes to lie beside a kink of the profile, where friction rises with no end to its slope.
+ * Or an edge passes a kink, and is slow from then on. */
 CLAIM(errors_that_were_told_too_small)
 {
     for (size_t i = 0; i < sizeof found / sizeof *found; i++) {

@@ -13,6 +13,7 @@ typedef struct {
     rw_work *work;
     const rw_numerical_state *from, *there;
     rw_zones sticking; /* the zones at the end, but these edges stick */
+    rw_zones begun;    /* the same of those at the beginning */
     bool begins[2];    /* at the left, right edge */
     double at_start;   /* |D| - 1 there */
 } onset;
@@ -40,7 +41,8 @@ static double excess_at(const onset *o, double part)
     rw_zones zones;
     rw_problem rates;
     double D[2], most = -1;
-    if (!rw_step_zones(o->work, o->from, at, &o->sticking, false, &contact, &zones))
+    if (!rw_step_zones(o->work, o->from, at, &o->sticking, false, &contact, &zones) &&
+        !rw_step_zones(o->work, o->from, at, &o->begun, false, &contact, &zones))
         return NAN;
     rw_step_rates(o->work, from, to, contact, &rates);
     rw_rates_free_ratio(&o->work->fronts, &rates, &zones, D);
@@ -155,13 +157,14 @@ static void look_at_edge(onset *o, int side, double allowed)
     o->begins[side] = true;
     o->at_start = fmax(o->at_start, excess);
     o->sticking = sticking_at(&o->sticking, side);
+    o->begun = sticking_at(&o->begun, side);
 }
 
 double rw_onset_of_slip(rw_work *w, const rw_numerical_state *from, const rw_numerical_state *there)
 {
     const double allowed = RW_ALLOWED * w->frame->tolerance;
     const bool grows = grows_at(from, there, 0) || grows_at(from, there, 1);
-    onset o = {w, from, there, there->shear.zones, {false, false}, -1};
+    onset o = {w, from, there, there->shear.zones, from->shear.zones, {false, false}, -1};
     for (int side = 0; side < 2 && grows; side++)
         look_at_edge(&o, side, allowed);
     double first = o.begins[0] || o.begins[1] ? find(&o) : 1;

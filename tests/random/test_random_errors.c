@@ -541,13 +541,31 @@ static const struct {
       .slope = {-0.29999999999999999, -0.098583778488800969, -0.07234871161936525,
                 0.039178449104802747, 0.087780910912248822, 0.10950064775936687,
                 0.29999999999999999}}},
+    {3.8,
+     1.1,
+     {.pad = PROFILE,
+      .loads = 3,
+      .f = 0.68982191129508685,
+      .tolerance = 0.001,
+      .load =
+          {{0.11244268706458951, 0, 0, 0},
+           {0.16719670017058921, 0.0034619745433938694, 0.050481267583487192, 0.032058747127919736},
+           {0.18111798300774964, 0.0034619745433938694, -0.10703903570736818, -0.25662021661543244},
+           {0.2841732006076706, -0.0092017522466834294, -0.147080674523872,
+            -0.0011099437407578537}},
+      .places = 7,
+      .x = {-0.1895535055161055, -0.1083226413448477, 0.37535767132759035, 0.58184077457137962,
+            0.58184077457137962, 0.65922781005624587, 0.73172454587661484},
+      .slope = {-0.29999999999999999, -0.085823967608104068, 0.014732403749724043,
+                0.029382338706705924, 0.035369927115090793, 0.051433308882755525,
+                0.29999999999999999}}},
 };
 
 /* A contact grows, and slip begins at one edge: D at the other one takes another course from then
  * on. Or it grows so much that D half-way is not what the step took it for. Or a step of constant P
  * ends with slip that has gone too far, and the next one, exact in itself, sticks there. Or a front
  * comes to lie beside a kink of the profile, where friction rises with no end to its slope.
- * Or an edge passes a kink, and is slow from then on. */
+ * Or an edge passes a kink, and is slow from then on. Or slip begins inside, and then at an edge. */
 CLAIM(errors_that_were_told_too_small)
 {
     for (size_t i = 0; i < sizeof found / sizeof *found; i++) {

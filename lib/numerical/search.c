@@ -304,8 +304,10 @@ bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coar
             continue;
         rw_grid_zones(grid, p, &zones);
         try_all(w, p, &zones, RW_PI / n, best);
-        if (best->violation <= p->allowed)
+        if (best->violation <= p->allowed) {
+            end_slip_at_edges(w, p, best);
             return true;
+        }
         if (coarse && trial + 1 == RW_TRIALS &&
             noted(w, rw_outcome_of_grid(&w->fronts, grid, p, &layers, &outcome), &outcome))
             take_if(outcome.violation < best->violation, best, &outcome);

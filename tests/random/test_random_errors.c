@@ -559,13 +559,30 @@ static const struct {
       .slope = {-0.29999999999999999, -0.085823967608104068, 0.014732403749724043,
                 0.029382338706705924, 0.035369927115090793, 0.051433308882755525,
                 0.29999999999999999}}},
+    {7.0,
+     1,
+     {.pad = PROFILE,
+      .loads = 3,
+      .f = 0.42731645659359274,
+      .tolerance = 0.001,
+      .load = {{0.48794239305594983, 0, 0, 0},
+               {0.57669424157514337, 0, 0.1546510558664638, 0.00043700392434878506},
+               {0.68069045267945827, 0, 0.032730733206509911, 0.17234792151768177},
+               {0.99946521492009877, 0, 0.19939006362111988, -0.15871620112758711}},
+      .places = 7,
+      .x = {-0.75121483275402245, -0.38487708889713423, -0.38487708889713423, 0.25155454751160722,
+            0.50511962232770657, 0.50511962232770657, 0.93702456430495884},
+      .slope = {-0.29999999999999999, -0.065986705850061236, 0.050600079820345818,
+                0.17740898677286457, 0.18489270951692338, 0.22145413266414002,
+                0.29999999999999999}}},
 };
 
 /* A contact grows, and slip begins at one edge: D at the other one takes another course from then
  * on. Or it grows so much that D half-way is not what the step took it for. Or a step of constant P
  * ends with slip that has gone too far, and the next one, exact in itself, sticks there. Or a front
  * comes to lie beside a kink of the profile, where friction rises with no end to its slope.
- * Or an edge passes a kink, and is slow from then on. Or slip begins inside, and then at an edge. */
+ * Or an edge passes a kink, and is slow from then on. Or slip begins inside, and then at an edge.
+ * Or a grid sees slip at an edge that goes on sticking. */
 CLAIM(errors_that_were_told_too_small)
 {
     for (size_t i = 0; i < sizeof found / sizeof *found; i++) {

@@ -294,8 +294,6 @@ void series_table_read(const arguments *line, const output_options *out, char de
                                     .cycles = contact_history_cycles(line, 3)}};
     input_texts_from_options(line, &table->all.constants);
     input_options_check_hull(line);
-    if (line->value[OPTION_ENCODING] != NULL)
-        text_input_check(line->value[OPTION_ENCODING]);
     open_table(line, path, decimal_sign, table);
     while (table_next(&table->file))
         add_row(table);

@@ -101,9 +101,12 @@ static void check_columns(const char *columns)
 
 reading reading_of(const arguments *line, char decimal_sign)
 {
+    const char *encoding = line->value[OPTION_ENCODING];
     check_columns(line->value[OPTION_COLUMN]);
+    if (encoding != NULL)
+        text_input_check(encoding);
     return (reading){.decimal_sign = decimal_sign,
-                     .encoding = line->value[OPTION_ENCODING],
+                     .encoding = encoding,
                      .columns = line->value[OPTION_COLUMN],
                      .units = units_of(line),
                      .drops = line->value[OPTION_DROP] != NULL,

@@ -66,8 +66,6 @@ void history_check(const arguments *line)
     if (encoding != NULL && history_file(line) == NULL &&
         line->value[OPTION_INPUT + INPUT_PROFILE] == NULL)
         usage_error("--encoding %s: needs --history or --profile", encoding);
-    if (encoding != NULL)
-        text_input_check(encoding);
     for (int i = INPUT_P; i <= INPUT_SIGMA && history_is_given(line); i++)
         if (line->value[OPTION_INPUT + i] != NULL)
             usage_error("%s %s: given together with --%s, which has the loads; allowed: one of the "

@@ -78,7 +78,7 @@ static void read_words(const arguments *line, material_words *words)
         failure("%s: neither a file nor a material that is shipped%s", text,
                 shipped_material_hint(text));
     else
-        read_rows(text, line->value[OPTION_ENCODING], words);
+        read_rows(text, reading_of(line, '.').encoding, words);
 }
 
 /* ---- Constants ---- */

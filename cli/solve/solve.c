@@ -227,10 +227,9 @@ static void check_files(const arguments *line, const char *file)
     if (file != NULL && history_is_given(line))
         usage_error("--%s: given together with --input; allowed: one of the two",
                     history_file(line) != NULL ? "history" : "load");
-    if (encoding != NULL && file == NULL && history_file(line) == NULL)
-        usage_error("--encoding %s: needs --input or --history", encoding);
-    if (encoding != NULL && file != NULL)
-        text_input_check(encoding);
+    if (encoding != NULL && file == NULL && history_file(line) == NULL &&
+        line->value[OPTION_INPUT + INPUT_PROFILE] == NULL)
+        usage_error("--encoding %s: needs --input, --history or --profile", encoding);
 }
 
 static int solve(const arguments *line)

@@ -53,7 +53,15 @@ if command -v iconv >/dev/null && echo ü | iconv -f UTF-8 -t WINDOWS-1252 >/dev
 fi
 refuses "--encoding klingon: unknown encoding; allowed: utf-8, utf-16, windows-1252, and others that iconv knows" \
     solve -i utf8.csv $fixed --encoding klingon
-refuses "--encoding utf-8: needs --input or --history" solve --encoding utf-8
+refuses "--encoding utf-8: needs --input, --history or --profile" solve --encoding utf-8
+# A profile has an encoding too, and whatever is read, an unknown one is a mistake on the command line.
+printf '\303\234ber,x,height\n,-1,0.1\n,0,0\n,1,0.1\n' | iconv -f UTF-8 -t WINDOWS-1252 >profile.csv
+does solve --E1 2e5 --nu1 0.3 --P 1 --profile profile.csv --encoding windows-1252
+printf 'P,Q,displacement\n1,0,0\n1,0.1,0.1\n' >log.csv
+for call in "solve --P 1 --profile profile.csv" "loop log.csv --radius 10" "history log.csv --radius 10 --f 0.3 --points profile.csv"; do
+    refuses "--encoding klingon: unknown encoding; allowed: utf-8, utf-16, windows-1252, and others that iconv knows" \
+        $call --E1 2e5 --nu1 0.3 --encoding klingon
+done
 printf '\357\273\277a,P,f\n1,100,0.1\n' >marked.csv
 cannot "--encoding windows-1252: marked.csv begins with the mark of UTF-8; allowed: utf-8" \
     solve -i marked.csv $fixed --encoding windows-1252

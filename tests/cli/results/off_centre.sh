@@ -40,7 +40,7 @@ cannot "--load: the last load has P = 0, which separates the bodies; allowed: a 
 cannot "loads.csv: line 3: Q 38.75: must not exceed f P = 27.15: there is no equilibrium" \
     solve --E1 72100 --nu1 0.33 --theta 0.05 --radius 10 --f 0.2 --history loads.csv
 refuses "--history: given together with --input; allowed: one of the two" solve $specimen --history loads.csv -i loads.csv
-refuses "--encoding latin1: needs --input or --history" solve $specimen --load 100,0 --encoding latin1
+refuses "--encoding latin1: needs --input, --history or --profile" solve $specimen --load 100,0 --encoding latin1
 
 # A tension stretches body 1 by (1 - nu1^2)/E1: A/2 on a rigid cylinder, not A/4. Then e = b sigma/(2 f p0), with b^2 = 2 A P R/pi,
 # p0 = 2 P/(pi b), A = 0.15.

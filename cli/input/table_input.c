@@ -212,13 +212,29 @@ static bool look(table_input *t, char separator, naming_mode mode, finding *to)
 
 /* ---- Where there is none ---- */
 
-static bool is_of_numbers(const csv_row *row, char decimal_sign)
+/* The numbers in a row, whichever decimal sign they have. */
+static size_t numbers_of_either(const csv_row *row)
 {
-    return numbers_in(row, decimal_sign) * 2 > row->count;
+    const size_t points = numbers_in(row, '.'), commas = numbers_in(row, ',');
+    return points > commas ? points : commas;
 }
 
-/* The separator that makes most rows of several numbers, with either decimal sign: a comma in
- * 12,000 separates nothing where another does. The first of equals. */
+static bool has_most_numbers(const csv_row *row)
+{
+    return row->count > 1 && numbers_of_either(row) * 2 > row->count;
+}
+
+/* Whether row i is one of numbers, and the next one too: a preamble has lines such as "Samples 60
+ * 60". */
+static bool is_of_numbers(const beginning *all, size_t i)
+{
+    const csv_row *row = &all->row[i];
+    return has_most_numbers(row) &&
+           (i + 1 == all->count || (row[1].count == row->count && has_most_numbers(&row[1])));
+}
+
+/* The separator that makes most rows of numbers: a comma in 12,000 separates nothing where another
+ * does. The first of equals. */
 static char probable_separator(table_input *t, const char *separators, int count)
 {
     static beginning all;
@@ -228,10 +244,7 @@ static char probable_separator(table_input *t, const char *separators, int count
         size_t rows = 0;
         begin_with(t, separators[i], false, &all);
         for (size_t j = 0; j < all.count; j++)
-            rows += all.row[j].count > 1 &&
-                            (is_of_numbers(&all.row[j], '.') || is_of_numbers(&all.row[j], ','))
-                        ? 1
-                        : 0;
+            rows += is_of_numbers(&all, j) ? 1 : 0;
         forget(&all);
         best = rows > most ? separators[i] : best;
         most = rows > most ? rows : most;
@@ -239,22 +252,34 @@ static char probable_separator(table_input *t, const char *separators, int count
     return best;
 }
 
-/* The line that probably has the names: the first of as many cells as the first row of numbers, or
- * the one above it. */
+/* Whether most cells of a row are units, known or in brackets. */
+static bool is_of_units(const csv_row *row)
+{
+    measuring_unit known;
+    size_t units = 0;
+    for (size_t i = 0; i < row->count; i++) {
+        const char *text = row->cell[i] + strspn(row->cell[i], " \t");
+        units += text[0] != '\0' && (strchr("[(", text[0]) != NULL || unit_read(text, &known));
+    }
+    return units * 2 > row->count;
+}
+
+/* The line that probably has the names: the next one above the first row of numbers that has
+ * neither a number nor units. */
 static void guess(table_input *t, char separator, finding *to)
 {
     static beginning all;
-    size_t numbers = 0, i = 0;
-    *to = (finding){.separator = separator};
+    size_t i = 0;
+    *to = (finding){.separator = separator, .mode = gives_places(t->how.columns) ? PLACED : NAMED};
     begin_with(t, separator, false, &all);
-    while (numbers < all.count && !is_of_numbers(&all.row[numbers], t->decimal_sign))
-        numbers++;
-    while (numbers < all.count && i < numbers && all.row[i].count != all.row[numbers].count)
+    while (i < all.count && !is_of_numbers(&all, i))
         i++;
-    if (i == numbers && i > 0)
-        i--; /* the row above them */
+    i = i < all.count ? i : 0; /* there are no numbers */
+    while (to->mode == NAMED && i > 0 &&
+           (numbers_of_either(&all.row[i]) > 0 || is_of_units(&all.row[i])))
+        i--;
     if (all.count > 0)
-        to->line = all.row[numbers < all.count ? i : 0].line;
+        to->line = all.row[i].line;
     forget(&all);
 }
 

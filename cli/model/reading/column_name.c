@@ -103,9 +103,11 @@ size_t column_name_stem(const char *plain)
 
 /* ---- The unit of a name ---- */
 
+/* Without what joins a name to its unit. A point or a bracket belongs to the name: "Load(8801:Load)
+ * (N)", "u rel. [um]". */
 static size_t trimmed(const char *text, size_t length)
 {
-    while (length > 0 && is_filler(text[length - 1]))
+    while (length > 0 && strchr(" \t_/,;:-=", text[length - 1]) != NULL)
         length--;
     return length;
 }

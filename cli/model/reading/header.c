@@ -136,6 +136,13 @@ static bool is_turned(const header *names, const char *name)
     return column == names->count;
 }
 
+/* Whether the columns have no names but their places. */
+static bool are_places(const header *names)
+{
+    double number;
+    return names->count > 0 && number_read_cell(names->name[0], '.', &number);
+}
+
 bool header_column(const header *names, const char *name, size_t *column, complaint *why)
 {
     size_t length;
@@ -149,6 +156,8 @@ bool header_column(const header *names, const char *name, size_t *column, compla
         return complain(why, "column %.*s: there twice; allowed: once", (int)length, wanted);
     if (given != NULL && *column == names->count) {
         complain(why, "column %.*s, for %s: missing", (int)length, wanted, name);
+        if (are_places(names))
+            list_add(why->text, sizeof why->text, "; ", "there are %zu", names->count);
         header_write_names(names, why);
         return false;
     }
@@ -205,9 +214,8 @@ bool header_need(header *names, size_t column, const char *name, const char *dim
 void header_write_names(const header *names, complaint *why)
 {
     char list[260] = "";
-    double number;
-    if (names->count > 0 && number_read_cell(names->name[0], '.', &number))
-        return; /* no names */
+    if (are_places(names))
+        return;
     for (size_t i = 0; i < names->count && strlen(list) < 200; i++)
         list_add(list, sizeof list, ", ", "'%.40s'", names->name[i]);
     list_add(why->text, sizeof why->text, "", "; the names there: %s%s", list,
@@ -242,7 +250,8 @@ const char *header_hint(const char *const name[], size_t count)
         return "; the columns seem to be separated by ';': --decimal-comma reads that, or, where "
                "numbers have a point, a first line \"sep=;\"";
     if (strchr(name[0], ',') != NULL)
-        return "; the columns seem to be separated by ',': leave --decimal-comma out";
+        return "; the columns seem to be separated by ',': leave out --decimal-comma, "
+               "and blanks within numbers";
     return strchr(name[0], '\t') != NULL
                ? "; the columns seem to be separated by tabs; allowed: commas"
                : "";

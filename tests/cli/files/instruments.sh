@@ -130,6 +130,22 @@ cannot "$rig/log_negP.csv: line 2: P -135.75: must not be below 0, and Q must be
 negative, --column P='-P' turns its sign" history "$rig/log_negP.csv" $pad
 cannot "clean.csv: column R, for P: missing; the names there: 'P', 'Q', 'sigma'; --column NAME='THEIR NAME' takes one" \
     history clean.csv $pad --column P=-R
+# Where a name is not found, those above the numbers are told, whatever stands above them.
+printf 'Acquisition:\tTimed\tDate:\t11/29/2026\n\nTime\tAxial\tLateral\tWay\ns\tN\tN\tmm\n0\t500\t10\t0\n1\t500\t20\t1\n' >mts.dat
+cannot "mts.dat: line 3: column P: missing; a history needs P and Q; the names there: 'Time', 'Axial', 'Lateral', 'Way'; --column \
+NAME='THEIR NAME' takes one" history mts.dat $pad
+printf 'Bericht;Test 12;;\nT [C];23,1;;\nZeit;Kraft;Quer;Weg\n[hh:mm:ss];[N];[N];[um]\n08:13:00;500,1;10;0\n08:13:01;500;20;1\n' >de.csv
+for option in "" --decimal-comma; do
+    cannot "de.csv: line 3: column P: missing; a history needs P and Q; the names there: 'Zeit', 'Kraft', 'Quer', 'Weg'; --column \
+NAME='THEIR NAME' takes one" history de.csv $pad $option
+done
+printf 'LabVIEW Measurement\t\nSamples\t2\t2\t\nDate\t1/2\t1/2\t\nX\tNormal\tSide\tNote\n0\t500\t10\t\n1\t500\t20\t\n' >lv.lvm
+cannot "lv.lvm: line 4: column P: missing; a history needs P and Q; the names there: 'X', 'Normal', 'Side', 'Note'; --column \
+NAME='THEIR NAME' takes one" history lv.lvm $pad
+cannot "bare.csv: column 4, for sigma: missing; there are 3" history bare.csv $pad --column P=-2 --column Q=1 --column sigma=4
+# A point or a bracket before the unit belongs to the name.
+printf 'Load(8801:Load) (N/mm),Q rel. [N/mm],sigma\n135.75,0,0\n135.75,38.75,100\n' >bracket.csv
+log bracket.csv --units mm,N,MPa --column 'P=Load(8801:Load)' --column 'Q=Q rel.'
 log "$rig/log_lower.csv" --column P=p --column Q=q
 log "$rig/log_names.csv" --column P=N --column sigma=sigma_bulk
 log "$rig/log_mts.csv" --units mm,N,MPa

@@ -142,7 +142,7 @@ fi
 does workbook comma.csv --decimal-comma -o book.xlsx
 same_cells 1 law.csv
 fails "rwedge workbook: comma.csv: one column; the columns seem to be separated by ';': $semicolons" comma.csv
-fails "rwedge workbook: law.csv: one column; the columns seem to be separated by ',': leave --decimal-comma out" law.csv --decimal-comma
+fails "rwedge workbook: law.csv: one column; the columns seem to be separated by ',': leave out --decimal-comma, and blanks within numbers" law.csv --decimal-comma
 fails "rwedge workbook: comma.tsv: line 3: 0,5: a decimal comma; --decimal-comma reads it" comma.tsv
 printf 'a;b\n1,5;2.5\n' >point.csv
 fails "rwedge workbook: point.csv: line 2: 2.5: a decimal point; without --decimal-comma it is a number" point.csv --decimal-comma

@@ -283,7 +283,7 @@ header "column b: a result has that name; allowed: any other" "P,a,b" $fixed
 header "misplaced quotes in the first row; needed: a header row with the names of the columns" 'P,"a"b' $fixed
 header "missing: a or radius, P; allowed: columns or options; the columns seem to be separated by ';': $semicolons" \
     "P;a" $fixed
-header "missing: a or radius, P; allowed: columns or options; the columns seem to be separated by ',': leave --decimal-comma out" \
+header "missing: a or radius, P; allowed: columns or options; the columns seem to be separated by ',': leave out --decimal-comma, and blanks within numbers" \
     "P,a" $fixed --decimal-comma
 refuses "--P 5: plain.csv has a column for it; allowed: one of the two" solve -i plain.csv $fixed --P 5
 refuses "--layout list: a file has a row for each contact; allowed with --input: row" solve -i plain.csv --layout list

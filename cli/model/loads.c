@@ -131,10 +131,23 @@ static load_fault fault_at(int input, const char *format, ...)
     return fault;
 }
 
+/* The first of the four loads that is neither 0 nor a size: INPUT_COUNT where all are. */
+static int not_a_size(load to)
+{
+    const double part[] = {to.P, to.M, to.Q, to.sigma};
+    const int input[] = {INPUT_P, INPUT_M, INPUT_Q, INPUT_SIGMA};
+    for (int i = 0; i < 4; i++)
+        if (!number_is_size(part[i]))
+            return input[i];
+    return INPUT_COUNT;
+}
+
 static load_fault domain_fault(load to, const rwedge_contact *contact)
 {
     load level = to;
     level.M = level.tilt = 0;
+    if (not_a_size(to) != INPUT_COUNT)
+        return fault_at(not_a_size(to), "must be 0, or 1e-60 to 1e60 in magnitude");
     if (to.P < 0)
         return fault_at(INPUT_P, "must not be below 0, and Q must be 0 where P is");
     if (to.is_guided && try_load(level, contact, 0) != RWEDGE_EDOMAIN)
@@ -148,6 +161,17 @@ static load_fault domain_fault(load to, const rwedge_contact *contact)
                     most > 0 ? "must be below %.6g in magnitude: more lays a flank on the surface"
                              : "must be %.6g: any other lays a flank on the surface",
                     most);
+}
+
+static load_fault range_fault(load to, const rwedge_contact *contact)
+{
+    const double last = loads_of(contact).P;
+    if (to.P > 0 && to.P < 1e-8 * last)
+        return fault_at(INPUT_COUNT,
+                        "P %.6g is below 1e-8 of the last P, %.6g; allowed: a load between them",
+                        to.P, last);
+    return fault_at(INPUT_COUNT, "the contact would reach farther than the radius, or results "
+                                 "leave 1e-60 to 1e60; allowed: smaller loads, or larger ones");
 }
 
 /* What is wrong with a displacement. */
@@ -183,6 +207,8 @@ load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *
 {
     if (status == RWEDGE_EDOMAIN)
         return domain_fault(to, contact);
+    if (status == RWEDGE_ERANGE)
+        return range_fault(to, contact);
     if (status == RWEDGE_EPATH)
         return path_fault(to, contact);
     if (status == RWEDGE_ESLIDING)

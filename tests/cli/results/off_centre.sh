@@ -239,7 +239,12 @@ refuses "--sigma inf: the bulk tension must be a number" solve $specimen --P 100
 refuses "missing: --f; friction has no default where Q, sigma or a yield stress is given" \
     solve --E1 1 --nu1 0 --theta 0.1 --a 1 --P 1 --sigma 1
 refuses "--Q 38.75: must not exceed f P = 30: there is no equilibrium" solve $specimen --P 100 --Q 38.75 --sigma 1
-refuses "--load 0,0,1e70,0: an argument is outside its domain" profile $specimen --load 0,0,1e70,0
+refuses "--load 0,0,1e70,0: Q 1e+70: must be 0, or 1e-60 to 1e60 in magnitude" profile $specimen --load 0,0,1e70,0
+refuses "--load 1e-70,0: P 1e-70: must be 0, or 1e-60 to 1e60 in magnitude" profile $specimen --load 1e-70,0
+refuses "--load 100,0,0,1e200: sigma 1e+200: must be 0, or 1e-60 to 1e60 in magnitude" profile $specimen --load 100,0,0,1e200
+refuses "--load 1e-07,0: P 1e-07 is below 1e-8 of the last P, 100; allowed: a load between them" profile $specimen --load 100,0 --load 1e-07,0
+refuses "--load 1e30,0: the contact would reach farther than the radius, or results leave 1e-60 to 1e60; allowed: smaller loads, or \
+larger ones" profile --E1 1 --nu1 0.3 --radius 1 --f 0.3 --load 1e30,0
 refuses "--load 0,1,0,0: M 1: must be 0 where P is" profile $specimen --load 100,0 --load 0,1,0,0
 refuses "--load 100,40,20,0: no closed form: one edge of the contact would advance while the other recedes; separate the bodies, which forgets the history, then apply sigma with P = 0, then P and M, then Q; without --exact it is computed" \
     profile $specimen --load 100,5,20,0 --load 100,40,20,0 --exact

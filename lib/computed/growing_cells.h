@@ -1,16 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* A contact of unlike bodies that grows from touching on, along a straight line of its loads. Each
- * part of the way adds the tractions of a flat punch as wide as the contact is then, under dP, dQ,
- * dM or no rotation, and d(stretch). Most of it is bonded; at its edges it slips, where the change
- * of the shear is f times that of the pressure. Tractions are constant over cells, and the
- * contact grows to the next cell, wherever that closes first: so no place comes into contact within
- * a step. Cells are finest where the bodies touch first. */
+/* The cells of a contact that grows, and what they carry. They are finest where the bodies touch
+ * first. */
 #ifndef RW_GROWING_CELLS_H
 #define RW_GROWING_CELLS_H
 
-#include "numerical/step.h"
+#include "formulas/patch.h"
 
-#include <stdint.h>
+#include <stdbool.h>
+#include <stddef.h>
 
 typedef struct {
     double f, start, scale; /* where cells are finest, and by how much */
@@ -23,11 +20,8 @@ typedef struct {
     double energy;
 } rw_growth;
 
-/* From touching under `from` to the loads `to`, with about so many cells in contact at the end.
- * RWEDGE_ENOMEM; RWEDGE_ENOCONV where the contact does not grow all the way; then there is nothing
- * to destroy. */
-int32_t rw_growth_create(rw_growth *growth, const rw_frame *frame, rw_scaled_loads from,
-                         rw_scaled_loads to, size_t cells);
+/* So many cells without traction on a patch with the start in it. false where memory is short. */
+bool rw_growth_cells(rw_growth *growth, double f, size_t count, double start, rw_patch all);
 void rw_growth_destroy(rw_growth *growth);
 
 /* Shear over friction, and slip, at a place. */

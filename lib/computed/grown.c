@@ -3,7 +3,7 @@
 
 #include "base/domain.h"
 #include "base/tuned.h"
-#include "computed/growing_cells.h"
+#include "computed/growing_contact.h"
 #include "numerical/coupled.h"
 #include "potential/pad_potential.h"
 

@@ -82,11 +82,16 @@ rw_frame rw_frame_like(const rw_frame *frame, double tolerance)
     return like;
 }
 
+/* A bend that is nearer to an end, over the distance of both, is there: rounding would move the
+ * points between. */
+static const double AT_END = 1e-11;
+
 int rw_bends_between(const rw_frame *frame, double from, double to, double at[])
 {
+    const double margin = AT_END * (to - from);
     int n = 0;
     for (int i = 0; i < frame->bends; i++)
-        if (frame->bend[i] > from && frame->bend[i] < to)
+        if (frame->bend[i] > from + margin && frame->bend[i] < to - margin)
             at[n++] = frame->bend[i];
     return n;
 }

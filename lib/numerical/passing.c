@@ -4,15 +4,16 @@
 #include "base/root.h"
 #include "base/tuned.h"
 
-/* The moment is found to this part of the step, and is a little before the edge comes there. */
-static const double NEAREST = 1e-9;
+/* The moment is found to this part of the step. The edge is before the kink then, by this part of
+ * its way: from the kink on it moves so little at first that moments cannot be told apart. */
+static const double NEAREST = 1e-10, BEFORE = 1e-8;
 
-/* An edge on its way to a kink. */
+/* An edge on its way to a place, in a step. */
 typedef struct {
     const rw_frame *frame;
     rw_scaled_loads from, to;
     int side;
-    double kink;
+    double place;
 } way;
 
 static double edge_of(rw_patch contact, int side)
@@ -20,11 +21,11 @@ static double edge_of(rw_patch contact, int side)
     return side ? contact.right : contact.left;
 }
 
-static double beyond_kink(double part, const void *context)
+static double beyond_place(double part, const void *context)
 {
     const way *w = context;
     const rw_patch contact = rw_patch_of_loads(w->frame, rw_part_of_line(w->from, w->to, part));
-    return (w->side ? 1 : -1) * (edge_of(contact, w->side) - w->kink);
+    return (w->side ? 1 : -1) * (edge_of(contact, w->side) - w->place);
 }
 
 /* Whether an edge slips the same way all the time: then its traction is that of friction. */
@@ -48,10 +49,10 @@ static double first_kink(way *w, double old, double new)
     double first = 1, bend[RW_MOST_BENDS];
     const int n = rw_bends_between(w->frame, fmin(old, new), fmax(old, new), bend);
     for (int i = 0; i < n; i++) {
-        w->kink = bend[i];
+        w->place = bend[i] - BEFORE * (bend[i] - old);
         if (!rw_arcs_have_kink(&w->frame->arcs, bend[i]))
             continue;
-        const double part = rw_root(beyond_kink, w, 0, 1, NEAREST) - 2 * NEAREST;
+        const double part = rw_root(beyond_place, w, 0, 1, NEAREST);
         if (part > RW_ONSET_NEAREST && part < 1 - RW_ONSET_NEAREST)
             first = fmin(first, part);
     }

@@ -23,6 +23,47 @@ CLAIM(loads_that_erred_are_done_with_a_small_error)
     }
 }
 
+/* ---- A load that ends at a kink ---- */
+
+static rwedge_contact *pad_with_a_kink(double tolerance)
+{
+    static const double x[] = {-1, -1, 0.9, 0.9}, slope[] = {-0.3, -0.12, 0.1, 0.3};
+    return allowing(create_profile(4, x, slope, 0.5), tolerance);
+}
+
+/* The least P under which the left edge is at the kink. */
+static double load_to_kink(void)
+{
+    double least = 0, most = 10;
+    for (int i = 0; i < 100; i++) {
+        const double P = (least + most) / 2;
+        if (edges_of(APPLY(pad_with_a_kink(0), {P, 0, 0, 0})).left <= -1)
+            most = P;
+        else
+            least = P;
+    }
+    return most;
+}
+
+/* From a kink on an edge moves like the square of the load: over a range of loads it is beyond the
+ * kink by rounding. Points between both were one; no fronts were found, and the grid erred by up to
+ * six times the tolerance. */
+CLAIM(an_edge_may_be_at_a_kink_to_rounding)
+{
+    const double P = load_to_kink(), tolerance = 1e-3;
+    int beyond = 0;
+    for (int i = 0; i < 20; i++) {
+        const double end = P * (1 + 1e-8 * i), way = i % 2 ? 1 : -1;
+        rwedge_contact *pad =
+            APPLY(pad_with_a_kink(tolerance), {0.6 * P, 0, 0, 0},
+                  {0.6 * P, 0, 0.1 * way * P, 0.05 * P}, {end, 0, -0.2 * way * P, -0.1 * P});
+        const double left = edges_of(pad).left;
+        beyond += left < -1 && left > -1 - 1e-13;
+        assert_true(rwedge_contact_error(pad) > 0 && rwedge_contact_error(pad) <= tolerance);
+    }
+    assert_in_range(beyond, 5, 20);
+}
+
 /* ---- A load that is nearly lost ---- */
 
 static rwedge_contact *flat_pad(double tolerance)

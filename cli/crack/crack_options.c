@@ -56,9 +56,10 @@ static void take_option(const arguments *line, int i, material *all)
         return;
     const bool lacks_unit = strncmp(why.text, "needs its unit", 14) == 0;
     usage_error("%s %s: %s%s", constants_of_law[i].flag, text, why.text,
-                lacks_unit ? ", beside --units; or --K-in m where it is in MPa sqrt(m), mm where "
-                             "it is in MPa sqrt(mm), 31.6 times as large"
-                           : "");
+                lacks_unit
+                    ? ", beside --units; or --K-in m where its root is of m, as in MPa sqrt(m), "
+                      "mm where it is of mm, 31.6 times as large"
+                    : "");
 }
 
 void crack_law_read(const arguments *line, const material *constants, crack_law *law)
@@ -79,6 +80,7 @@ void crack_law_read(const arguments *line, const material *constants, crack_law 
         usage_error("%s: missing; needed beside %s", flag_of(lacks), flag_of(beside));
     if (isnan(law->dK_th) && isnan(law->C) && isnan(law->K_c) && line->value[OPTION_K_IN] != NULL)
         usage_error("--K-in %s: needs --dK-th, --C or --K-c", line->value[OPTION_K_IN]);
+    units_say_of_K(line);
 }
 
 /* ---- The crack ---- */

@@ -42,9 +42,11 @@ distance distance_read(const arguments *line, const material *constants)
         usage_error("--length %s: given together with --fit-length; allowed: one of the two", text);
     if (line->value[OPTION_FIT_LENGTH] != NULL)
         return below;
-    if (text == NULL && (method != NULL || angle != NULL))
+    if (text == NULL && (method != NULL || angle != NULL)) {
         below.length = rwedge_critical_distance(material_value(constants, "dK_th"),
                                                 material_value(constants, "ds0"));
+        units_say_of_K(line);
+    }
     if (angle != NULL && isnan(below.length))
         usage_error("--angle %s: needs --length, or dK_th and ds0 of --material", angle);
     if (method != NULL && isnan(below.length))

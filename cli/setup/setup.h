@@ -62,7 +62,7 @@ enum {
         "Neglect what friction of unlike bodies does to the pressure", NULL
 #define K_IN_OPTION                                                                                \
     "K-in", '\0', POPT_ARG_STRING, NULL, OPTION_K_IN,                                              \
-        "Unit of length of constants in K without a unit: m for MPa sqrt(m)", "m|mm"
+        "Unit of length in constants of K that have no unit: m as in MPa sqrt(m)", "m|mm"
 
 /* Tables to include: the contact and its loads; its strength; bodies and shape but for nu1; how
  * loads without a closed form are taken. Only the last is filled before input_options_prepare(). */
@@ -100,6 +100,9 @@ void input_options_check_hull(const arguments *line);
 /* The working units that a command line gives, or those that are assumed where it gives none. */
 const unit_system *units_of(const arguments *line);
 void units_assume(const unit_system *units);
+
+/* Says that lengths are in mm, where a K in m is converted to them and nothing says their unit. */
+void units_say_of_K(const arguments *line);
 
 /* A size of a dimension that an option gives, above 0; NAN where it does not. */
 double option_size(const arguments *line, int number, const char *name, const char *dimension,

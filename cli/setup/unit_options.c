@@ -20,6 +20,13 @@ static double read_K_length(const arguments *line)
     return text == NULL ? NAN : strcmp(text, "m") == 0 ? 1 : 1e-3;
 }
 
+void units_say_of_K(const arguments *line)
+{
+    const unit_system *units = units_of(line);
+    if (units->K_length == 1 && !units->is_known)
+        notice("--K-in m: lengths are taken to be in mm; --units says other ones");
+}
+
 double option_size(const arguments *line, int number, const char *name, const char *dimension,
                    const unit_system *units)
 {

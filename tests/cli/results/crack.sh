@@ -43,8 +43,10 @@ same "at the last length" 0 "$(row cycles 4)"
 cp out as_mm
 does crack pulled.csv $plain --lengths 0.5,1,2 --shear none --C 3.1622776601683795e-8 --m 3 --K-in m
 close_to "constants in m" "$life" "$(row cycles 2)" 1e-9
+message_has "--K-in m: lengths are taken to be in mm; --units says other ones"
 does crack pulled.csv $plain --lengths 0.5,1,2 --shear none --C 1e-12 --m 3 --K-in m --units m,N,Pa
 close_to "lengths in m" "$life" "$(row cycles 2)" 1e-9
+same "told their unit" 0 "$(grep -c "taken to be in mm" err)"
 printf '{"paris_C": 1e-12, "paris_m": 3}' >material.json
 does crack pulled.csv $plain --lengths 0.5,1,2 --shear none --material material.json --K-in mm
 same "constants of a material" "$(cat as_mm)" "$(cat out)"
@@ -105,7 +107,7 @@ same "the open crack" "$(row K_I_max 2)" "$(row closing_K_I_max 2)"
 same "K_II of a normal crack" "$(row K_II_max 3) $(row K_II_min 3)" "$(row closing_K_II_max 3) $(row closing_K_II_min 3)"
 
 # What is refused.
-bare='needs its unit, such as "4.2 MPa sqrt(m)", beside --units; or --K-in m where it is in MPa sqrt(m), mm where it is in MPa sqrt(mm), 31.6 times as large'
+bare='needs its unit, such as "4.2 MPa sqrt(m)", beside --units; or --K-in m where its root is of m, as in MPa sqrt(m), mm where it is of mm, 31.6 times as large'
 refuses "--dK-th 66: $bare" crack cycle.csv $hertz --lengths 1 --dK-th 66
 refuses "--K-in km: must be m or mm" crack cycle.csv $hertz --lengths 1 --dK-th 66 --K-in km
 refuses "--K-in m: needs --dK-th, --C or --K-c" crack cycle.csv $hertz --lengths 1 --K-in m

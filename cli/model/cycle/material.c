@@ -190,12 +190,22 @@ static const char *units_of_words(size_t count, const constant_words words[])
     return NULL;
 }
 
+static bool refuse_name(const char *name, complaint *why)
+{
+    nearest_name near = nearest_to(name);
+    for (int i = 0; i < material_count(); i++)
+        nearest_try(&near, material_name(i));
+    return complain(why, "no constant that is known here%s%s",
+                    near.name != NULL ? "; the nearest is " : "",
+                    near.name != NULL ? near.name : "");
+}
+
 static bool take_words(const constant_words *words, const char *said, const unit_system *units,
                        material *constants, complaint *why)
 {
     char room[200];
     const int i = material_constant(words->name);
-    return i < 0 ? complain(why, "no constant that is known here")
+    return i < 0 ? refuse_name(words->name, why)
                  : material_take(i, with_unit(i, words->text, said, room), '.', units, constants,
                                  why);
 }

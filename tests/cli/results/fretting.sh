@@ -308,6 +308,9 @@ printf '\357\273\277{"E": 72100, "nu": 0.33}\r\n' >marked.json
 does fretting cycle.csv $shape --material marked.json
 cannot "nowhere.json: No such file or directory" fretting cycle.csv $specimen --material nowhere.json
 printf '{"sy": 475}' >short.json
+printf '{"swt_limt": 1}' >typo.json
+cannot "typo.json: swt_limt: no constant that is known here; the nearest is swt_limit; see rwedge fretting in its manual" \
+    fretting cycle.csv $specimen --material typo.json
 cannot "short.json: sy: no constant that is known here; see rwedge fretting in its manual" fretting cycle.csv $specimen --material short.json
 
 # What is often given in another unit, or with another sign; another body than that of the file.

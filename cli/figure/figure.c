@@ -217,7 +217,8 @@ static int read_measure(const char *text, const criteria *asked)
             column = i;
     }
     if (column < 0)
-        usage_error("--measure %s: must be one of: %s", text, allowed);
+        usage_error("--measure %s: must be one of: %s; or a criterion whose constants are given",
+                    text, allowed);
     return column;
 }
 
@@ -272,6 +273,11 @@ static void read_history(const arguments *line, char decimal_sign, figure_case *
     places_read(&bodies, decimal_sign, &inputs->at);
     if (inputs->at.count > 1)
         usage_error("--at %s: must be one point", line->value[OPTION_AT]);
+    if (!history_is_given(&bodies))
+        usage_error(
+            "figure %s: loads are missing; needed: --history, a file with the columns P and "
+            "Q, perhaps M or tilt, sigma; or --load P,Q for each",
+            chosen->name);
     contact_history_read(&bodies, &texts, decimal_sign, chosen->cycles,
                          chosen->cycles > 2 ? chosen->cycles : 2, &inputs->history);
     for (size_t i = 0; i < inputs->history.loads.count; i++)

@@ -231,8 +231,11 @@ for over in depth field; do
     column crossland out | paste -d ' ' - drawn | sed 's/ .*,/ /' >both
     close_rows "Crossland over the $over" 1e-12 0
 done
-refuses "--measure none: must be one of: stress_range, swt, fatemi_socie, slip_range, ruiz_f1, ruiz_f2, energy_per_area" \
+refuses "--measure none: must be one of: stress_range, swt, fatemi_socie, slip_range, ruiz_f1, ruiz_f2, energy_per_area; or a criterion whose \
+constants are given" \
     figure measure --history loads.csv $specimen --measure none
+refuses "figure contact: loads are missing; needed: --history, a file with the columns P and Q, perhaps M or tilt, sigma; or --load \
+P,Q for each" figure contact $specimen
 refuses "--over field: slip_range is of the surface alone" figure measure --history loads.csv $specimen --measure slip_range --over field
 refuses "figure fretting: criteria and measures are for figure measure" figure fretting --history loads.csv $specimen --kappa 3
 # Loads before the first cycle: those of fretting; for history and the loop, rows that stand before the cycle in one file.

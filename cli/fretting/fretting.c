@@ -176,11 +176,8 @@ static void check_distance(const arguments *line)
 static void read_worst(const arguments *line, output_options *worst)
 {
     arguments its = *line;
-    const char *file = line->value[OPTION_WORST], *other = line->value[OPTION_OUTPUT];
-    if (file == NULL)
+    if (line->value[OPTION_WORST] == NULL)
         return;
-    if (other != NULL && strcmp(file, other) == 0 && strcmp(file, "-") != 0)
-        usage_error("--worst %s: it is the file of --output; allowed: another file", file);
     its.output = OPTION_WORST;
     its.value[OPTION_FORMAT] = NULL;
     output_options_read(&its, worst);

@@ -1,5 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* rwedge read: files and options as a case in the working units, without computing. */
+#include "rows/rows.h"
 #include "setup/setup.h"
 #include "system/system.h"
 
@@ -25,9 +26,11 @@ static void describe(FILE *stream)
 
 static int read_case(const arguments *line)
 {
+    const char *path = line->value[OPTION_OUTPUT];
     history_check(line);
     input_options_check_hull(line);
-    case_file_write(NULL, line, line->value[OPTION_OUTPUT]);
+    output_options_spare_files(line, &(output_options){.option = "output", .path = path});
+    case_file_write(NULL, line, path);
     return STATUS_DONE;
 }
 

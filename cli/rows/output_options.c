@@ -150,7 +150,8 @@ void output_options_spare(const output_options *how, const char *file, const cha
                           const char *name)
 {
     const char *path = how->path != NULL ? how->path : "-";
-    if (file != NULL && target_is_input(path, file))
+    const bool is_new = file != NULL && strcmp(path, "-") != 0 && strcmp(path, file) == 0;
+    if (is_new || (file != NULL && target_is_input(path, file)))
         usage_error("--%s %s: it is the %s%s; allowed: another file", how->option, path, kind,
                     name);
 }

@@ -3,6 +3,7 @@
 #include "setup.h"
 
 #include "model/words/words.h"
+#include "rows/rows.h"
 #include "system/system.h"
 
 #include <math.h>
@@ -306,6 +307,10 @@ void case_file_check(const arguments *line)
     if (history_file(line) != NULL && line->value[OPTION_LOAD] != NULL)
         usage_error("--save-case %s: a case has one list of loads; not with --load beside a file",
                     path);
+    arguments others = *line;
+    others.output = option;
+    others.value[OPTION_CASE] = NULL; /* a case may be written anew */
+    output_options_spare_files(&others, &(output_options){.option = "save-case", .path = path});
     output_try(path);
 }
 

@@ -102,6 +102,17 @@ refuses "--save-case new.json: a case has one list of loads; not with --load bes
     --save-case new.json
 refuses "--save-case -: must be the name of a file" solve --save-case -
 cannot "nowhere/new.json: No such file or directory" solve --case wedge.json --save-case nowhere/new.json
+# No file of the command line is overwritten, but a case itself.
+printf 'P,Q\n190,20\n' >log.csv
+cp log.csv kept.csv
+pad="$steel --theta 0.01 --a 0.05 --f 0.2"
+refuses "--save-case log.csv: it is the input; allowed: another file" history log.csv $pad --save-case log.csv
+refuses "--save-case log.csv: it is the file of --history; allowed: another file" profile $pad --history log.csv --save-case log.csv
+refuses "--save-case new.csv: it is the file of --output; allowed: another file" history log.csv $pad --save-case new.csv -o new.csv
+refuses "--output log.csv: it is the input; allowed: another file" read log.csv $pad -o log.csv
+same "the log" "" "$(cmp log.csv kept.csv 2>&1)"
+does_quietly solve --case wedge.json --Q 10 --save-case wedge.json
+same "a case that is written anew" 1 "$(grep -c '"Q": 10$' wedge.json)"
 cp wedge.json before.json
 run solve --case wedge.json --Q 1000 --save-case wedge.json
 status_is 2

@@ -285,7 +285,7 @@ refuses "--output metal.csv: it is the file of --material; allowed: another file
 refuses "--worst metal.csv: it is the file of --material; allowed: another file" fretting cycle.csv $shape --material metal.csv --worst metal.csv
 refuses "--worst cycle.csv: it is the input; allowed: another file" fretting cycle.csv $specimen --worst cycle.csv
 refuses "--output metal.csv: it is the file of --worst; allowed: another file" fretting cycle.csv $shape -o metal.csv --worst ./metal.csv
-refuses "--worst none.csv: it is the file of --output; allowed: another file" fretting cycle.csv $specimen -o none.csv --worst none.csv
+refuses "--output none.csv: it is the file of --worst; allowed: another file" fretting cycle.csv $specimen -o none.csv --worst none.csv
 cannot "nowhere/worst.csv: No such file or directory" fretting cycle.csv $specimen -o early.csv --worst nowhere/worst.csv
 same "rows before it" "" "$(cat early.csv 2>&1 | grep -v "No such file")"
 refuses "--worst worst.vtk: the ending .vtk belongs to no format here; allowed: .csv, .tsv, .json, .xlsx" fretting cycle.csv $specimen --worst worst.vtk

@@ -150,8 +150,8 @@ def returned(f: Function) -> str:
         return "ndarray, in the broadcast shape of the arguments; NaN gives NaN"
     if f.result == "text" and not f.outputs:
         return "str"
-    shapes = {", ".join(p.size) for p in f.outputs if p.size}
-    return f"ndarray, ({shapes.pop()})" if shapes else "int" if f.returns != "double" and f.result == "value" else "float"
+    shapes = dict.fromkeys(f"({', '.join(p.size)})" for p in f.outputs if p.size)
+    return f"ndarray, {' or '.join(shapes)}" if shapes else "int" if f.returns != "double" and f.result == "value" else "float"
 
 
 CYCLES = ("A generalized ufunc: the loads are along the last axis, or along that of ``axis=``, such as 0 for what "

@@ -58,6 +58,8 @@ def number(text: str) -> float | None:
         return math.pi / 2
     if match := re.fullmatch(r"2\^(\d+)", text):
         return 2.0 ** int(match[1])
+    if match := re.fullmatch(r"(\d+)/(\d+)", text):
+        return int(match[1]) / int(match[2])
     try:
         return float(text)
     except ValueError:

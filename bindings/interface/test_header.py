@@ -129,6 +129,7 @@ class Reader(unittest.TestCase):
     def test_domains_become_bounds(self):
         for text, expected in {  # low, high, low_open, high_open, or_zero, finite
                 "0, or 1e-3 to 2^4: remark": (1e-3, 16, False, False, True, True), "at least 3": (3, 1e60, False, False, False, True),
+                "|p| <= 1/2": (-0.5, 0.5, False, False, False, True),
                 "|p| < pi/2": (-math.pi / 2, math.pi / 2, True, True, False, True), "> 0; HUGE_VAL too": (0, 1e60, True, False, False, False),
                 "-1 < p <= 0.5, finite": (-1, 0.5, True, False, False, True)}.items():
             d = declared(f"/* V.\n *   p  {text} */", "RWEDGE_API double rwedge_v(double p);")[0].parameters[0].domain

@@ -608,7 +608,8 @@ RWEDGE_API double rwedge_contact_strain(const rwedge_contact *contact);
  * rwedge_contact_edge_asymptotes() gives RWEDGE_EABSENT; rwedge_contact_permanent_stick(),
  * rwedge_contact_worn_zone() and rwedge_contact_full_wear() give RWEDGE_EPATH. All other functions
  * serve such a contact.
- * RWEDGE_EDOMAIN for another beta, and where the bodies touch; RWEDGE_ENULL; RWEDGE_ENOMEM. */
+ * RWEDGE_EDOMAIN where the bodies touch: it is set before the first load, or when they are
+ * separated; RWEDGE_ENULL; RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_contact_set_beta(rwedge_contact *contact, double beta);
 
 /* The beta of rwedge_contact_set_beta(), 0 unless it is set.                                    new
@@ -618,8 +619,9 @@ RWEDGE_API double rwedge_contact_beta(const rwedge_contact *contact);
 /* Sets what follows from the bodies, beside the compliance: rwedge_contact_set_beta() and
  * rwedge_contact_set_strain(), so that neither is forgotten.                                    new
  *   E1, nu1, E2, nu2  as for rwedge_compliance(): of the half-plane, of the pad
- * RWEDGE_EDOMAIN where their compliance is not that of the contact, to 1e-6, and as the two
- * functions have it; RWEDGE_ENULL; RWEDGE_ENOMEM. The contact is then as before. */
+ * RWEDGE_EDOMAIN where the bodies touch, where their compliance is not that of the contact, to
+ * 1e-6, and as the two functions have it; RWEDGE_ENULL; RWEDGE_ENOMEM. The contact is then as
+ * before. */
 RWEDGE_API int32_t rwedge_contact_set_bodies(rwedge_contact *contact, double E1, double nu1,
                                              double E2, double nu2);
 

@@ -131,7 +131,7 @@ def _is_inside(value: Any, low: float, high: float, low_open: bool, high_open: b
 
 def check(name: str, status: int, arguments: Mapping[str, object] = {}, place: str = "") -> None:
     """Raises what a status of rwedge_name() other than OK means: for which arguments, those outside their own bounds where there
-    are such, and what would be allowed."""
+    are such, and what would be allowed; or else what refuses arguments that are inside."""
     if status == OK:
         return
     reason, domains, bounds = _strerror(status).decode(), FUNCTIONS[name]["domains"], FUNCTIONS[name]["bounds"]
@@ -142,8 +142,11 @@ def check(name: str, status: int, arguments: Mapping[str, object] = {}, place: s
         arguments = outside
     told = ", ".join(f"{argument}{place} = {value}" for argument, value in arguments.items())
     allowed = "; ".join(f"{argument}: {domains[argument]}" for argument in arguments if argument in domains)
+    why = FUNCTIONS[name]["reasons"].get(status, "")
     if status in (EABSENT, EPATH):
-        allowed = FUNCTIONS[name]["reasons"].get(status, "")
+        allowed = why
+    elif status in (EDOMAIN, ERANGE) and why and not outside:  # each argument by itself may be right
+        allowed = "; ".join(filter(None, (allowed, f"refused {why}")))
     message = ": ".join(filter(None, (told, reason))) + (f" ({allowed})" if allowed else "")
     raise ERRORS.get(status, Error)(message, status)
 

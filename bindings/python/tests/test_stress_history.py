@@ -77,8 +77,14 @@ def test_bad_input_says_where(pad, loads, x, y, message):
     assert (pad.state() == before).all()
 
 
+@pytest.mark.parametrize("column, kind", [(["1,5", "2"], "list"), (np.array(["1,5", "2"], dtype=object), "object"), ("2", "str")])
+def test_a_column_of_texts_is_named(pad, column, kind):
+    with pytest.raises(TypeError, match=f"^Q must be numbers, not {kind}$"):
+        pad.stresses_after({"P": 2000, "Q": column}, 0, 1)
+
+
 @pytest.mark.parametrize("loads, message", [
-    ((-1, 0, 0, 0), "^P = -1.0: .* (P: 0, or 1e-60 to 1e60, 0, or at least 1e-8 of the last P)$"),
+    ((-1, 0, 0, 0), "^P = -1.0: .* (P: 0, or 1e-60 to 1e60, not below 1e-8 of the last P)$"),
     ((0, 5, 0, 0), "P = 0.0, M = 5.0, .*M: .*, 0 where P is 0; "),
 ])
 def test_a_refused_load_is_named_with_what_is_allowed_and_no_more(pad, loads, message):

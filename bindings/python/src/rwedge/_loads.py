@@ -35,7 +35,10 @@ History = Union[Mapping[str, Any], SupportsArray, Numbers]
 
 def _numbers(name: str, column: Any) -> NDArray[np.float64]:
     refuse_units(column)
-    array = plain(column)
+    try:
+        array = plain(column)
+    except (TypeError, ValueError):  # as a frame has it whose file has decimal commas
+        raise TypeError(f"{name} must be numbers, not {getattr(column, 'dtype', type(column).__name__)}") from None
     if array.ndim > 1:
         raise Error(f"{name} has the shape {array.shape}: a history has one dimension", ERANGE)
     if np.isnan(array).any():

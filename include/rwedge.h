@@ -661,7 +661,7 @@ RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double
 
 /* The next point of the history with a moment and a bulk tension, reached in a straight line in all
  * four loads.                                                                                   new
- *   P      0, or at least 1e-8 of the last P: as for rwedge_contact_load()
+ *   P      0, or 1e-60 to 1e60; not below 1e-8 of the last P: as for rwedge_contact_load()
  *   M      moment about x = 0 per unit length, a force, finite; positive presses the right side; 0
  *          where P is 0
  *   Q      |Q| <= f P, as for rwedge_contact_load()
@@ -697,7 +697,7 @@ RWEDGE_API int32_t rwedge_contact_set_rotation(rwedge_contact *contact, int32_t 
 /* The next load of a held pad, at a tilt, which it keeps. It is reached in a straight line in P,
  * tilt, Q and sigma; a pad that touches has the tilt before. Load and tilt determine the contact as
  * load and moment do, just as smoothly. The pad keeps its tilt where P is 0.                    new
- *   P      0, or at least 1e-8 of the last P: as for rwedge_contact_load()
+ *   P      0, or 1e-60 to 1e60; not below 1e-8 of the last P: as for rwedge_contact_load()
  *   tilt   rad, |tilt| < pi/2; as rwedge_contact_tilt() gives it: less than theta (1 - 1e-9) in
  *          magnitude, and of a profile between its outermost slopes
  *   Q      |Q| <= f P, as for rwedge_contact_load()
@@ -900,7 +900,7 @@ RWEDGE_API int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t
 /* Stresses at n points while the contact goes on through many loads: as rwedge_contact_apply() and
  * rwedge_contact_stresses() after each, to the same bits. It is faster: what a load leaves as it
  * was is not computed again.                                                                  new
- *   P              0, or at least 1e-8 of the last P
+ *   P              0, or 1e-60 to 1e60; not below 1e-8 of the last P: 0 may follow any
  *   M, Q, sigma    finite: loads numbers each, as P
  *   x, y           length, finite, y >= 0: n numbers each
  *   sxx, syy, txy  each receives loads * n numbers, the n of the first load first; not one of the
@@ -1098,7 +1098,7 @@ enum {
  * state load the contact with the cycle first: once under constant P and M, twice where they
  * change, some times more where loads have no closed form.                                      new
  *   loads        number of loads, >= 1
- *   P            0, or at least 1e-8 of the last P
+ *   P            0, or 1e-60 to 1e60; not below 1e-8 of the last P: 0 may follow any
  *   M, Q, sigma  finite: loads numbers each, as P
  *   cycle        receives the handle
  * RWEDGE_EDOMAIN, RWEDGE_EPATH, RWEDGE_ESLIDING, RWEDGE_ENOCONV as rwedge_contact_apply() has them;
@@ -1111,7 +1111,7 @@ RWEDGE_API int32_t rwedge_cycle_create(const rwedge_contact *contact, size_t loa
 /* A cycle of a contact that is held, guided through tilts as rwedge_contact_guide() does it load by
  * load; rwedge_cycle_create() keeps the tilt. The moments are results.                         new
  *   loads     number of loads, >= 1
- *   P         0, or at least 1e-8 of the last P
+ *   P         0, or 1e-60 to 1e60; not below 1e-8 of the last P: 0 may follow any
  *   tilt      rad, |tilt| < pi/2; as for rwedge_contact_guide(): loads numbers
  *   Q, sigma  finite: loads numbers each, as P
  *   cycle     receives the handle
@@ -1126,7 +1126,7 @@ RWEDGE_API int32_t rwedge_cycle_create_guided(const rwedge_contact *contact, siz
 /* A cycle of a contact that a rig drives, as rwedge_contact_drive() does it load by load. What the
  * bodies slide in it is slip of every place, and dissipates. rwedge_cycle_forces() tells Q.     new
  *   loads         number of loads, >= 1
- *   P             0, or at least 1e-8 of the last P
+ *   P             0, or 1e-60 to 1e60; not below 1e-8 of the last P: 0 may follow any
  *   M, sigma      finite: loads numbers each, as P
  *   displacement  length, finite: loads numbers
  *   compliance    length over a force per unit length, 0, or 1e-60 to 1e60
@@ -1305,7 +1305,7 @@ RWEDGE_API double rwedge_contact_displacement(const rwedge_contact *contact, dou
  * displacements to come, and its energy, f P times the way, as dissipated. A contact that touches
  * anew begins where the rig was when the bodies were apart. Under a moment, or a tension that
  * changes, slip and energy are known in full sliding too, from the first such load on.          new
- *   P             0, or at least 1e-8 of the last P: as for rwedge_contact_load()
+ *   P             0, or 1e-60 to 1e60; not below 1e-8 of the last P: as for rwedge_contact_load()
  *   M             finite; 0 where P is 0: as for rwedge_contact_apply()
  *   sigma         finite, as there
  *   displacement  length, finite

@@ -133,6 +133,18 @@ void rw_contact_drop_beside(rwedge_contact *contact)
     contact->beside = NULL;
 }
 
+rwedge_contact *rw_contact_keep_beside(rwedge_contact *contact, rwedge_contact *other)
+{
+    if (contact->slip.followed != RW_NONE_FOLLOWED || contact->tolerance == 0 ||
+        contact->phase == RW_APART || contact->phase == RW_SLIDING ||
+        contact->phase == RW_COMPUTED || rw_contact_knows_slip_and_energy(contact) ||
+        !rw_contact_knows_slip_and_energy(other))
+        return other;
+    other->slip.followed = RW_SLIP_AND_ENERGY_FOLLOWED;
+    contact->beside = other;
+    return NULL;
+}
+
 void rwedge_contact_destroy(rwedge_contact *contact)
 {
     if (!contact)

@@ -113,6 +113,10 @@ void rw_contact_exchange(rwedge_contact *a, rwedge_contact *b);
 /* Ends the computed shear. The contact is without shear until its phase is set anew. */
 void rw_contact_drop_computed(rwedge_contact *contact);
 
+/* Keeps the other one, which has the same loads, beside the contact if slip and energy are known
+ * from it alone. Returns what is to be destroyed, or NULL. */
+rwedge_contact *rw_contact_keep_beside(rwedge_contact *contact, rwedge_contact *other);
+
 /* Ends what is beside a contact. */
 void rw_contact_drop_beside(rwedge_contact *contact);
 
@@ -146,6 +150,11 @@ static inline bool rw_contact_knows_slip(const rwedge_contact *c)
 {
     const rwedge_contact *other = rw_contact_of_slip(c);
     return !rw_contact_is_off_centre(other) || other->slip.is_known;
+}
+
+static inline bool rw_contact_knows_slip_and_energy(const rwedge_contact *c)
+{
+    return rw_contact_knows_slip(c) && rw_contact_of_slip(c)->energy.is_known;
 }
 
 /* The stretch that a bulk tension makes, in the unit of the memory. */

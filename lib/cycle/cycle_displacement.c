@@ -3,6 +3,7 @@
 #include "cycle/states.h"
 
 #include "base/domain.h"
+#include "loading/apply.h"
 #include "loading/beside.h"
 
 #include <stdlib.h>

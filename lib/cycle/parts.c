@@ -4,7 +4,7 @@
 #include "cycle/walk.h"
 
 #include "base/tuned.h"
-#include "loading/beside.h"
+#include "loading/apply.h"
 #include "loading/step_to.h"
 
 /* A step in which P or M changes is cut into parts, and where an edge of the contact turns: places

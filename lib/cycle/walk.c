@@ -4,6 +4,7 @@
  * beside the first one. */
 #include "cycle/walk.h"
 
+#include "loading/apply.h"
 #include "loading/beside.h"
 
 #include <stdlib.h>

@@ -6,30 +6,14 @@
 #include "loading/beside.h"
 
 #include "computed/beginning.h"
-#include "loading/slide.h"
-
-static bool knows_all(const rwedge_contact *contact)
-{
-    return rw_contact_knows_slip(contact) && rw_contact_of_slip(contact)->energy.is_known;
-}
-
-rwedge_contact *rw_contact_keep_beside(rwedge_contact *contact, rwedge_contact *other)
-{
-    if (contact->slip.followed != RW_NONE_FOLLOWED || contact->tolerance == 0 ||
-        contact->phase == RW_APART || contact->phase == RW_SLIDING ||
-        contact->phase == RW_COMPUTED || knows_all(contact) || !knows_all(other))
-        return other;
-    other->slip.followed = RW_SLIP_AND_ENERGY_FOLLOWED;
-    contact->beside = other;
-    return NULL;
-}
+#include "loading/load.h"
 
 /* Whether a closed form of the next load may leave slip or energy unknown. */
 static bool may_lose(const rwedge_contact *contact, rw_goal to)
 {
     return contact->tolerance > 0 && contact->f > 0 && !contact->unlike &&
            contact->slip.followed == RW_NONE_FOLLOWED && contact->phase != RW_COMPUTED &&
-           knows_all(contact) &&
+           rw_contact_knows_slip_and_energy(contact) &&
            (rw_contact_is_off_centre(contact) || to.turn != 0 || to.sigma != contact->loads.sigma ||
             !rw_is_symmetric(&contact->geometry));
 }
@@ -48,7 +32,7 @@ static int32_t follow(rwedge_contact *contact, rw_goal to)
 /* The first load that may lose them. `ahead` has the load. */
 static int32_t begin(rwedge_contact *contact, rwedge_contact *ahead, rw_goal to)
 {
-    const bool loses = ahead->phase == RW_OFF_CENTRE && !knows_all(ahead);
+    const bool loses = ahead->phase == RW_OFF_CENTRE && !rw_contact_knows_slip_and_energy(ahead);
     const bool is_apart = ahead->phase == RW_APART && !ahead->energy.is_known;
     if (!loses && !is_apart) {
         rw_contact_exchange(contact, ahead);
@@ -123,7 +107,7 @@ int32_t rw_contact_follow_slip(rwedge_contact *contact)
     return RWEDGE_OK;
 }
 
-static int32_t apply(rwedge_contact *contact, rw_goal to)
+int32_t rw_contact_apply_beside(rwedge_contact *contact, rw_goal to)
 {
     if (!contact->beside && !may_lose(contact, to))
         return rw_contact_apply_alone(contact, to);
@@ -138,41 +122,4 @@ static int32_t apply(rwedge_contact *contact, rw_goal to)
         return status;
     }
     return contact->beside ? go_on(contact, ahead, to) : begin(contact, ahead, to);
-}
-
-/* The next load of a contact to which a rig prescribes displacements. */
-static int32_t apply_driven(rwedge_contact *contact, rw_goal to)
-{
-    rwedge_contact *next;
-    int32_t status = rwedge_contact_copy(contact, &next);
-    if (status != RWEDGE_OK)
-        return status;
-    status = apply(next, to);
-    next->drive.b = contact->drive.b; /* it may be one that was kept before the rig began */
-    if (status == RWEDGE_OK)
-        status = rw_contact_know_slide(contact, to, next);
-    if (status == RWEDGE_OK)
-        rw_contact_exchange(contact, next);
-    rwedge_contact_destroy(next);
-    return status;
-}
-
-int32_t rw_contact_apply(rwedge_contact *contact, rw_goal to)
-{
-    return contact->drive.b > 0 ? apply_driven(contact, to) : apply(contact, to);
-}
-
-int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q, double sigma)
-{
-    return contact ? rw_contact_apply(contact, rw_goal_of(contact, (rw_loads){P, M, Q, sigma}))
-                   : RWEDGE_ENULL;
-}
-
-int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q)
-{
-    if (!contact)
-        return RWEDGE_ENULL;
-    const double M = P == 0 ? 0 : contact->loads.M;
-    const rw_loads to = {P, M, Q, contact->loads.sigma};
-    return rw_contact_apply(contact, rw_goal_of(contact, to));
 }

@@ -5,18 +5,11 @@
 
 #include "contact/contact.h"
 
-/* The next load: rwedge_contact_apply(), with the tilt of a held pad. */
-int32_t rw_contact_apply(rwedge_contact *contact, rw_goal to);
-
-/* The same, of the contact alone. */
-int32_t rw_contact_apply_alone(rwedge_contact *contact, rw_goal to);
+/* The next load of both. */
+int32_t rw_contact_apply_beside(rwedge_contact *contact, rw_goal to);
 
 /* From now on the slip stays known, if the contact allows errors, until it slides. Where it is not
  * known now it counts from here. RWEDGE_ENOMEM. */
 int32_t rw_contact_follow_slip(rwedge_contact *contact);
-
-/* Keeps the other one, which has the same loads, beside the contact if slip and energy are known
- * from it alone. Returns what is to be destroyed, or NULL. */
-rwedge_contact *rw_contact_keep_beside(rwedge_contact *contact, rwedge_contact *other);
 
 #endif

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A pad that a rig holds at a tilt. Load and tilt determine the contact as load and moment do. */
-#include "loading/beside.h"
+#include "loading/apply.h"
 #include "loading/step_to.h"
 
 /* The present tilt. Apart, a pad that is not held is as its profile was given. */

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The next load of a contact: what it does. */
+#include "loading/load.h"
+
 #include "computed/beginning.h"
-#include "loading/beside.h"
-#include "loading/step_to.h"
 #include "history/dissipation.h"
+#include "loading/step_to.h"
 
 /* Gives new corners their patches: the last corner is the contact itself. */
 static void measure_new_corners(rwedge_contact *contact, const rw_step *step)

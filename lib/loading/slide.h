@@ -5,9 +5,15 @@
 
 #include "contact/contact.h"
 
-/* Slip and energy of a contact to which a rig prescribes displacements, and which the loads of the
- * goal lead from `before` to slide. They stay unknown where the last place that sticks is not
- * known. RWEDGE_ENOMEM. */
-int32_t rw_contact_know_slide(const rwedge_contact *before, rw_goal to, rwedge_contact *contact);
+/* The displacement of a contact under a rig, without what the rig has slid; NaN where it is not
+ * known. */
+double rw_contact_displacement_of_loads(const rwedge_contact *contact);
+
+/* From now on the slip of a contact that slides, with this displacement, counts from here. */
+void rw_contact_count_slide(rwedge_contact *contact, double displacement);
+
+/* Whether a contact of which the slip is known slides on the same way; then its slip and energy. */
+bool rw_contact_slides_on(const rwedge_contact *before, const rwedge_contact *contact);
+void rw_contact_slide_on(const rwedge_contact *before, rwedge_contact *contact);
 
 #endif

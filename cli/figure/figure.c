@@ -341,30 +341,6 @@ static const char *read_picture_format(const arguments *line, output_options *ho
 
 /* ---- What is written ---- */
 
-void figure_write_script(const figure_case *inputs, const dataset *rows, FILE *script)
-{
-    const figure *kind = inputs->kind;
-    char names[FIGURE_NAMES_SIZE];
-    bool is_drawn = kind->nothing == NULL; /* or a number of its columns is not 0 */
-    for (size_t i = 0; i < rows->count && !is_drawn; i++)
-        for (int k = 0; k < DATA_COLUMNS_MAX; k++)
-            is_drawn = is_drawn || ((kind->drawn >> k & 1) != 0 && rows->row[i].number[k] != 0 &&
-                                    isfinite(rows->row[i].number[k]));
-    if (!is_drawn)
-        failure("figure %s: nothing to draw: %s", kind->name, kind->nothing);
-    script_lines(script, head_lines, NULL);
-    for (int i = 0; i < FIGURE_VARIABLES; i++)
-        if (inputs->value[i].count > 0) {
-            case_names(inputs, i, names);
-            script_text(script, variables[i].column, names);
-        }
-    script_number(script, "titled", !inputs->no_title);
-    script_rows(script, "$rows", rows);
-    if (kind->prepare != NULL)
-        kind->prepare(inputs, rows, script);
-    script_lines(script, kind->script, frame_lines);
-}
-
 /* A rows_writer: a picture goes where rows would. */
 static void write_figure(void *of_case, records *rows)
 {

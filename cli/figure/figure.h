@@ -132,21 +132,7 @@ extern script_line head_lines[], frame_lines[], pressure_lines[], normal_lines[]
 /* A round step that gives 8 to 20 levels up to the top. */
 double step_of_levels(double top);
 
-/* ---- figure ---- */
-
-/* Writes the script that draws the rows. */
-void figure_write_script(const figure_case *inputs, const dataset *rows, FILE *script);
-
-/* ---- gnuplot ---- gnuplot draws the pictures. It is looked for on PATH when one is drawn; nothing
- * else needs it, and no other file runs it. What it draws is said in its own language. */
-
-/* Has gnuplot draw a picture into the output. The script finds `terminal` in it, the format of the
- * case with the paper's width and height, and `paper` and `line`: that width, and the height of a
- * line of text over it. */
-void gnuplot_draw(const figure_case *inputs, const dataset *rows, output *out);
-
-/* The lines of a script that stands in a file; a line "frame" stands for the lines of `frame`. */
-void script_lines(FILE *script, const char *const lines[], const char *const frame[]);
+/* ---- script ---- What gnuplot is told, in its own language. */
 
 /* The name is a number from then on; or a text, in which *a* is italic and _c a subscript. */
 void script_number(FILE *script, const char *name, double value);
@@ -155,5 +141,16 @@ void script_text(FILE *script, const char *name, const char *text);
 /* The name is the rows from then on, all columns of them: an index for each curve, a blank line
  * after each row of a grid. */
 void script_rows(FILE *script, const char *name, const dataset *rows);
+
+/* Writes the script that draws the rows. */
+void script_write(const figure_case *inputs, const dataset *rows, FILE *script);
+
+/* ---- gnuplot ---- gnuplot draws the pictures. It is looked for on PATH when one is drawn; nothing
+ * else needs it, and no other file runs it. What it draws is said in its own language. */
+
+/* Has gnuplot draw a picture into the output. The script finds `terminal` in it, the format of the
+ * case with the paper's width and height, and `paper` and `line`: that width, and the height of a
+ * line of text over it. */
+void gnuplot_draw(const figure_case *inputs, const dataset *rows, output *out);
 
 #endif

@@ -2,7 +2,6 @@
 #include "figure.h"
 
 #include <errno.h>
-#include <math.h>
 #include <string.h>
 
 /* ---- The paper ---- */
@@ -31,62 +30,6 @@ static const picture_format picture_formats[] = {
      "pointscale 0.9 background '#ffffff' butt",
      8.5, 0.034, "%PDF-", "%%EOF"},
 };
-
-/* ---- What a script is made of ---- */
-
-void script_lines(FILE *script, const char *const lines[], const char *const frame[])
-{
-    for (size_t i = 0; lines[i] != NULL; i++)
-        if (strcmp(lines[i], "frame") == 0)
-            script_lines(script, frame, NULL);
-        else
-            fprintf(script, "%s\n", lines[i]);
-}
-
-void script_number(FILE *script, const char *name, double value)
-{
-    if (isfinite(value))
-        fprintf(script, "%s = %#.15g\n", name, value); /* a point makes it no integer */
-    else
-        fprintf(script, "%s = NaN\n", name);
-}
-
-/* *a* -> {/:Italic a}; an underscore means the same in both. */
-void script_text(FILE *script, const char *name, const char *text)
-{
-    bool italic = false;
-    fprintf(script, "%s = \"", name);
-    for (const char *c = text; *c != '\0'; c++)
-        if (*c == '*') {
-            fputs(italic ? "}" : "{/:Italic ", script);
-            italic = !italic;
-        } else
-            fprintf(script, "%s%c", *c == '"' || *c == '\\' ? "\\" : "", *c);
-    fputs("\"\n", script);
-}
-
-/* Seven digits: far more than can be seen, and a last bit that differs between math libraries
- * does not show. */
-void script_rows(FILE *script, const char *name, const dataset *rows)
-{
-    fprintf(script, "%s << EOD\n", name);
-    for (size_t i = 0; i < rows->count; i++) {
-        const double *number = rows->row[i].number;
-        for (int k = 0; rows->column[k] != NULL; k++)
-            if (isfinite(number[k]))
-                fprintf(script, "%.7g ", number[k] + 0);
-            else
-                fputs("NaN ", script);
-        if (rows->text_column != NULL)
-            fprintf(script, "\"%s\"", rows->row[i].text);
-        fputs("\n", script);
-        if (i + 1 < rows->count && rows->row[i + 1].curve != rows->row[i].curve)
-            fputs("\n\n", script);
-        else if (rows->across > 0 && (i + 1) % rows->across == 0)
-            fputs("\n", script);
-    }
-    fputs("EOD\n", script);
-}
 
 /* ---- gnuplot ---- */
 
@@ -206,7 +149,7 @@ void gnuplot_draw(const figure_case *inputs, const dataset *rows, output *out)
     script_text(stream[SCRIPT], "terminal", format->terminal);
     script_number(stream[SCRIPT], "paper", format->width);
     script_number(stream[SCRIPT], "line", format->line);
-    figure_write_script(inputs, rows, stream[SCRIPT]);
+    script_write(inputs, rows, stream[SCRIPT]);
     if (fflush(stream[SCRIPT]) != 0 || ferror(stream[SCRIPT]))
         failure("gnuplot: its script cannot be written: %s", strerror(errno));
     rewind(stream[SCRIPT]);

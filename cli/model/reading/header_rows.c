@@ -143,6 +143,13 @@ static bool find_displacement(header *names, complaint *why)
     return false;
 }
 
+/* Whether the displacement stands in the place of the Q of a file, which was measured, if it is
+ * there at all. */
+static bool is_driven(const header *names)
+{
+    return names->how->is_driven && names->displacement < names->count;
+}
+
 bool load_header_find(header *names, complaint *why)
 {
     if (!header_find(INPUT_TILT, INPUT_SIGMA + 1, NULL, names, why) ||
@@ -151,6 +158,8 @@ bool load_header_find(header *names, complaint *why)
     if (header_has_input(names, INPUT_TILT) && header_has_input(names, INPUT_M))
         return complain(why, "column tilt: given together with column M; allowed: one of the two, "
                              "or another name");
+    if (is_driven(names) && header_has_input(names, INPUT_Q))
+        names->needed[names->column[INPUT_Q]] = NEED_NOTHING;
     if (header_has_input(names, INPUT_P) &&
         (header_has_input(names, INPUT_Q) ||
          (names->displacement < names->count && !names->how->is_measured)))
@@ -170,7 +179,7 @@ bool load_row_read(const header *names, const char *const cells[], size_t count,
     if (!header_fits(names->count, count, separator, why))
         return false;
     for (int i = INPUT_TILT; i <= INPUT_SIGMA; i++)
-        if (header_has_input(names, i) &&
+        if (header_has_input(names, i) && !(i == INPUT_Q && is_driven(names)) &&
             !header_cell(names, cells, names->column[i], input_kinds[i].column, decimal_sign,
                          &value[i], why))
             return false;
@@ -185,7 +194,7 @@ bool load_row_read(const header *names, const char *const cells[], size_t count,
                  .sigma = value[INPUT_SIGMA],
                  .is_guided = header_has_input(names, INPUT_TILT),
                  .tilt = value[INPUT_TILT],
-                 .is_driven = has_one && names->how->is_driven,
+                 .is_driven = is_driven(names),
                  .displacement = displacement};
     return true;
 }

@@ -32,6 +32,10 @@ same "largest Q over f P" 1 "$(by_name 'NR > 1 && $Q / (0.6 * $P) > m { m = $Q /
 same "the displacement passes through, what was measured of Q does not" time,displacement,load,P,M,Q "$(head -n 1 out | cut -d , -f 1-6)"
 does history "$gross" $cylinder $compliance --cycles 2
 message_has "dissipated in the last cycle"
+# What is not used need not be there.
+printf 'P,Q,displacement\n300,,0\n300,?,0.001\n' >lost.csv
+does history lost.csv $cylinder $compliance
+same "rows without a measured Q" 3 "$(wc -l <out | tr -d ' ')"
 
 # By place: the integral of energy_per_area over the surface is the energy; each place slips what the rig leaves.
 sed '1p;402,$!d' "$gross" >cycle.csv

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-enum { LINES = 200, BELOW = 4 };
+enum { BELOW = 4, LINES = 200 + BELOW };
 
 /* The rows at the beginning, but comments. */
 typedef struct {

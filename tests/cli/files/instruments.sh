@@ -130,6 +130,9 @@ cannot "$rig/log_negP.csv: line 2: P -135.75: must not be below 0, and Q must be
 negative, --column P='-P' turns its sign" history "$rig/log_negP.csv" $pad
 cannot "clean.csv: column R, for P: missing; the names there: 'P', 'Q', 'sigma'; --column NAME='THEIR NAME' takes one" \
     history clean.csv $pad --column P=-R
+# A preamble may have 200 lines.
+{ yes remark | head -n 200; cat clean.csv; } >preamble.csv
+log preamble.csv
 # Where a name is not found, those above the numbers are told, whatever stands above them.
 printf 'Acquisition:\tTimed\tDate:\t11/29/2026\n\nTime\tAxial\tLateral\tWay\ns\tN\tN\tmm\n0\t500\t10\t0\n1\t500\t20\t1\n' >mts.dat
 cannot "mts.dat: line 3: column P: missing; a history needs P and Q; the names there: 'Time', 'Axial', 'Lateral', 'Way'; --column \

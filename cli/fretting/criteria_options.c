@@ -31,7 +31,7 @@ static const char *option_name(int constant)
 
 static struct poptOption list_option(void)
 {
-    static char text[TEXT_SIZE * 2] = "Columns of these alone: ";
+    static char text[TEXT_SIZE * 2] = "Of the columns at the end these alone: ";
     const size_t begins = strlen(text);
     for (int i = 0; i < CRITERION_COUNT; i++)
         if (criterion_exists(i))

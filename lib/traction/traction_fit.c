@@ -230,6 +230,18 @@ static void fit_part(fit *how, double end, double scale, double first, double la
     fit_part(how, end, scale, at[right], at[right + 1], depth - 1, rest);
 }
 
+/* Where the elements of two breaks meet: near the middle, at a multiple of a power of 2. A fit jumps
+ * there a little. Where the next one, whose breaks have moved a little, meets at the same place, it
+ * has the same jump. If it met beside it, no node would be between both places: each element would
+ * go on beyond the old one, and in a hundred fits the jump would grow a thousandfold. */
+static double meeting_place(double from, double to)
+{
+    int exponent;
+    frexp((to - from) / 64, &exponent);
+    const double grain = ldexp(0.5, exponent); /* a 128th to a 64th of the length */
+    return grain * round((from / 2 + to / 2) / grain);
+}
+
 bool rw_traction_fit(rw_traction *t, rw_values f, const void *context, size_t breaks,
                      const double at[], double tolerance, double noise)
 {
@@ -238,7 +250,7 @@ bool rw_traction_fit(rw_traction *t, rw_values f, const void *context, size_t br
     how.shortest = fmax(SHORTEST * (at[breaks - 1] - at[0]), RW_SAME_PLACE * reach);
     make_rule(&how.rule);
     for (size_t i = 0; i + 1 < breaks; i++) {
-        const double middle = at[i] / 2 + at[i + 1] / 2;
+        const double middle = meeting_place(at[i], at[i + 1]);
         if (!((middle - at[i]) * (at[i + 1] - middle) > 0))
             continue;
         fit_part(&how, at[i], middle - at[i], 0, 1, DEPTH, HUGE_VAL);

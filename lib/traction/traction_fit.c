@@ -230,10 +230,11 @@ static void fit_part(fit *how, double end, double scale, double first, double la
     fit_part(how, end, scale, at[right], at[right + 1], depth - 1, rest);
 }
 
-/* Where the elements of two breaks meet: near the middle, at a multiple of a power of 2. A fit jumps
- * there a little. Where the next one, whose breaks have moved a little, meets at the same place, it
- * has the same jump. If it met beside it, no node would be between both places: each element would
- * go on beyond the old one, and in a hundred fits the jump would grow a thousandfold. */
+/* Where the elements of two breaks meet: near the middle, at a multiple of a power of 2. A fit
+ * jumps there a little. Where the next one, whose breaks have moved a little, meets at the same
+ * place, it has the same jump. If it met beside it, no node would be between both places: each
+ * element would go on beyond the old one, and in a hundred fits the jump would grow a
+ * thousandfold. */
 static double meeting_place(double from, double to)
 {
     int exponent;

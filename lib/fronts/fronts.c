@@ -140,31 +140,29 @@ static int expand_gap(const rw_stuck *s, int gap, double least, double middle, d
     return terms;
 }
 
-/* Points are taken by eights, of which a panel has one or two, all of them in the gap or none. */
-enum { LANES = 8 };
-
-/* The integral over the gap, from -1 to 1, of X/(eta - x) dx/pi, with an even number of terms. */
+/* The integral over the gap, from -1 to 1, of X/(eta - x) dx/pi, with an even number of terms. The
+ * points are all in the gap, or none. */
 RW_INLINE void sum_gap(int terms, const double c[], const double eta[], double kernel[])
 {
-    double b1[LANES] = {0}, b2[LANES] = {0};
+    double b1[RW_FRONT_LANES] = {0}, b2[RW_FRONT_LANES] = {0};
     if (fabs(eta[0]) <= 1) {
         for (int k = terms - 1; k > 0; k -= 2) { /* Clenshaw, of T_1 ... */
-            for (int i = 0; i < LANES; i++)
+            for (int i = 0; i < RW_FRONT_LANES; i++)
                 b2[i] = c[k] + 2 * eta[i] * b1[i] - b2[i];
-            for (int i = 0; i < LANES; i++)
+            for (int i = 0; i < RW_FRONT_LANES; i++)
                 b1[i] = c[k - 1] + 2 * eta[i] * b2[i] - b1[i];
         }
-        for (int i = 0; i < LANES; i++)
+        for (int i = 0; i < RW_FRONT_LANES; i++)
             kernel[i] = eta[i] * b1[i] - b2[i];
         return;
     }
-    double R[LANES];
-    for (int i = 0; i < LANES; i++)
+    double R[RW_FRONT_LANES];
+    for (int i = 0; i < RW_FRONT_LANES; i++)
         R[i] = 1 / (eta[i] + copysign(sqrt(eta[i] * eta[i] - 1), eta[i]));
     for (int k = terms - 1; k >= 0; k--)
-        for (int i = 0; i < LANES; i++)
+        for (int i = 0; i < RW_FRONT_LANES; i++)
             b1[i] = (b1[i] + c[k]) * R[i];
-    for (int i = 0; i < LANES; i++)
+    for (int i = 0; i < RW_FRONT_LANES; i++)
         kernel[i] = b1[i];
 }
 
@@ -182,12 +180,12 @@ static double gap_of_change(const rw_fronts *f, const rw_stuck *s, int gap)
     const double least = RW_LEAST_TERM * f->problem->frame->tolerance;
     const int terms = expand_gap(s, gap, least, middle, half, c);
     double sum = 0;
-    for (size_t first = 0; first < f->count; first += LANES) {
-        double eta[LANES], kernel[LANES];
-        for (size_t i = 0; i < LANES; i++)
+    for (size_t first = 0; first < f->count; first += RW_FRONT_LANES) {
+        double eta[RW_FRONT_LANES], kernel[RW_FRONT_LANES];
+        for (size_t i = 0; i < RW_FRONT_LANES; i++)
             eta[i] = (f->x[first + i] - middle) / half;
         gap_kernel(terms, c, eta, kernel);
-        for (size_t i = 0; i < LANES; i++)
+        for (size_t i = 0; i < RW_FRONT_LANES; i++)
             sum += f->step[first + i] * f->change[first + i] / f->X[first + i] * kernel[i];
     }
     return half * sum;
@@ -215,22 +213,22 @@ static void expand_at_infinity(int n, int count, const double c[], double power,
 RW_INLINE void sum_moments(const rw_fronts *f, const rw_stuck *s, double moment[])
 {
     const double per_half = 1 / s->half;
-    double sum[RW_MOST_STICK + 1][LANES] = {{0}};
-    for (size_t first = 0; first < f->count; first += LANES) {
-        double at[LANES], power[LANES];
-        RW_EACH (i, LANES) {
+    double sum[RW_MOST_STICK + 1][RW_FRONT_LANES] = {{0}};
+    for (size_t first = 0; first < f->count; first += RW_FRONT_LANES) {
+        double at[RW_FRONT_LANES], power[RW_FRONT_LANES];
+        RW_EACH (i, RW_FRONT_LANES) {
             at[i] = (f->x[first + i] - s->middle) * per_half;
             power[i] = f->step[first + i] * f->change[first + i] / f->X[first + i] * per_half;
         }
         for (int j = 0; j <= s->count; j++)
-            RW_EACH (i, LANES) {
+            RW_EACH (i, RW_FRONT_LANES) {
                 sum[j][i] += power[i];
                 power[i] *= at[i];
             }
     }
     for (int j = 0; j <= s->count; j++) {
         moment[j] = 0;
-        for (size_t i = 0; i < LANES; i++)
+        for (size_t i = 0; i < RW_FRONT_LANES; i++)
             moment[j] += sum[j][i];
     }
 }
@@ -338,105 +336,4 @@ bool rw_fronts_residual(rw_fronts *f, double r[])
     if (f->sticks_to_edge[1])
         r[count++] = K[n - 1];
     return true;
-}
-
-/* ---- Between the fronts ---- */
-
-void rw_fronts_prepare(rw_fronts *f)
-{
-    for (size_t i = 0; i < f->count; i++)
-        f->change[i] *= f->step[i] / f->X[i] / RW_PI;
-}
-
-/* sum += change/(s - x) over n points, none of them at x: a division for every two. */
-RW_INLINE void sum_poles(size_t n, const double s[], const double change[], double x, double *sum)
-{
-    double part[LANES / 2] = {0};
-    for (size_t i = 0; i < n; i += LANES)
-        RW_EACH (k, LANES / 2) {
-            const double d = s[i + k] - x, next = s[i + k + LANES / 2] - x;
-            part[k] += (change[i + k] * next + change[i + k + LANES / 2] * d) / (d * next);
-        }
-    *sum += (part[0] + part[1]) + (part[2] + part[3]);
-}
-
-RW_DISPATCH(add_poles, sum_poles,
-            (size_t n, const double s[], const double change[], double x, double *sum),
-            (n, s, change, x, sum))
-
-/* The same for the changes less a level times the steps, 0 where a point is at x. */
-RW_INLINE void sum_level_poles(size_t n, const double s[], const double change[],
-                               const double step[], double level, double x, double *sum)
-{
-    double part[LANES] = {0};
-    for (size_t i = 0; i < n; i += LANES)
-        for (size_t k = 0; k < LANES; k++) {
-            const double d = s[i + k] - x;
-            part[k] += (change[i + k] - level * step[i + k]) / (d == 0 ? HUGE_VAL : d);
-        }
-    for (size_t k = 0; k < LANES; k++)
-        *sum += part[k];
-}
-
-RW_DISPATCH(add_level_poles, sum_level_poles,
-            (size_t n, const double s[], const double change[], const double step[], double level,
-             double x, double *sum),
-            (n, s, change, step, level, x, sum))
-
-double rw_fronts_transform(const rw_fronts *f, double x)
-{
-    double sum = 0;
-    add_poles(f->count, f->x, f->change, x, &sum);
-    return sum;
-}
-
-void rw_fronts_stick_traction(const rw_fronts *f, const rw_stuck *s, size_t n, const double x[],
-                              double t[])
-{
-    double lack[RW_TERMS], X[RW_TERMS];
-    rw_base_traction(f->problem, &f->layers, n, x, t);
-    rw_fronts_lack(f, s, n, x, lack);
-    rw_X_values(s, n, x, X);
-    for (size_t i = 0; i < n; i++)
-        t[i] += (rw_fronts_transform(f, x[i]) + lack[i]) * X[i];
-}
-
-/* The segments around x that follow one another without a gap; without points where there is
- * none. */
-static rw_segment around(const rw_fronts *f, double x)
-{
-    rw_segment all = {.from = x, .to = x};
-    for (int i = 0;
-         i < f->segments && !(all.count > 0 && all.to > x && all.to < f->segment[i].from); i++) {
-        const rw_segment s = f->segment[i];
-        if (all.count == 0 || s.from > all.to)
-            all = s;
-        else {
-            all.to = s.to;
-            all.count += s.count;
-        }
-    }
-    if (!(all.from < x && x < all.to))
-        all.count = 0;
-    return all;
-}
-
-void rw_fronts_slope(const rw_fronts *f, const rw_stuck *s, int label, size_t n, const double x[],
-                     double slope[])
-{
-    double F[RW_TERMS], base[RW_TERMS], X[RW_TERMS];
-    rw_X_values(s, n, x, X);
-    rw_friction_after(f->problem, n, x, F);
-    rw_base_traction(f->problem, &f->layers, n, x, base);
-    for (size_t i = 0; i < n; i++) {
-        const rw_segment here = around(f, x[i]);
-        const size_t from = here.first, to = from + here.count;
-        const double level = here.count > 0 ? (label * F[i] - base[i]) / X[i] / RW_PI : 0;
-        double sum = level != 0 ? level * log((here.to - x[i]) / (x[i] - here.from)) : 0;
-        add_poles(from, f->x, f->change, x[i], &sum);
-        add_level_poles(here.count, f->x + from, f->change + from, f->step + from, level, x[i],
-                        &sum);
-        add_poles(f->count - to, f->x + to, f->change + to, x[i], &sum);
-        slope[i] = X[i] * sum;
-    }
 }

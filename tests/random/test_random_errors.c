@@ -33,12 +33,12 @@
 enum { GROWING, STICKING, ROCKING, STEPS, ALL, KINDS };
 enum { WEDGE, FLAT, PROFILE, CYLINDER, PADS };
 enum { LOADS = 3, PROFILE_PLACES = 7, PLACES = 401, COARSE = 6, FINE = 9, MOST_ZONES = 24 };
-enum { MOST_FRONTS = LOADS * (COARSE + FINE + 3) * (MOST_ZONES + 2) };
+enum { MOST_FRONTS = LOADS * (COARSE + FINE + 5) * (MOST_ZONES + 2) };
 
 static const char *const KIND[KINDS] = {"growing", "sticking", "rocking", "steps", "all"};
 static const char *const PAD[PADS] = {"wedge", "flat", "profile", "cylinder"};
 
-static const double MOST_ABOVE = 0.01, FACTOR = 3;
+static const double MOST_ABOVE = 0.01, FACTOR = 3, SHORT_PART = 0.01;
 
 /* ---- Loads ---- */
 
@@ -204,13 +204,15 @@ static bool is_at_front(const fronts *f, double x, double reach)
     return false;
 }
 
-/* Whether all parts of a load are done. */
+/* Whether all parts of a load are done. One before the first is short: slip that begins at once may
+ * soon end. */
 static bool go_in_parts(rwedge_contact *contact, rw_loads from, rw_loads to, int parts,
                         fronts *seen)
 {
     edge_zones before = note_fronts(contact, seen);
-    for (int k = 1; k <= parts; k++) {
-        const double s = (double)k / parts, on = k < parts && k % 2 ? 1 - 4e-6 : 1;
+    for (int k = 0; k <= parts; k++) {
+        const double s = k > 0 ? (double)k / parts : SHORT_PART,
+                     on = k < parts && k % 2 ? 1 - 4e-6 : 1;
         const rw_loads at = {from.P + s * (to.P - from.P), from.M + s * (to.M - from.M),
                              on * (from.Q + s * (to.Q - from.Q)),
                              (2 - on) * (from.sigma + s * (to.sigma - from.sigma))};

@@ -654,7 +654,8 @@ RWEDGE_API void rwedge_contact_destroy(rwedge_contact *contact);
  * RWEDGE_ESLIDING where |Q| > f P. RWEDGE_EDOMAIN. RWEDGE_ERANGE where the half-width, a/b, the
  * peak pressure or the energy leaves the domain. RWEDGE_ERANGE too where P is not 0 but below 1e-8
  * of the last P, because the rounding of the last P would blur Q/(fP): go there in two loads.
- * RWEDGE_EPATH after a moment or another tension, as rwedge_contact_apply(). RWEDGE_ENULL;
+ * RWEDGE_EPATH after a moment or another tension, as rwedge_contact_apply(). RWEDGE_ENOCONV after
+ * rwedge_contact_allow_error(). RWEDGE_ENULL;
  * RWEDGE_ENOMEM. Unless RWEDGE_OK, the contact is as before. It remembers at most two points of the
  * history per load, and only while its tractions or its slip depend on them. */
 RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double Q);
@@ -682,7 +683,7 @@ RWEDGE_API int32_t rwedge_contact_load(rwedge_contact *contact, double P, double
  * the edges. RWEDGE_EPATH where no closed form is shown: rwedge_contact_obstacle() says why.
  * RWEDGE_EDOMAIN where M tilts the wedge by theta (1 - 1e-9) or more, so that a flank nearly lies
  * on the surface. Other errors as those of rwedge_contact_load(): RWEDGE_ESLIDING; RWEDGE_ERANGE;
- * RWEDGE_ENULL; RWEDGE_ENOMEM. */
+ * RWEDGE_ENOCONV; RWEDGE_ENULL; RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_contact_apply(rwedge_contact *contact, double P, double M, double Q,
                                         double sigma);
 
@@ -706,7 +707,7 @@ RWEDGE_API int32_t rwedge_contact_set_rotation(rwedge_contact *contact, int32_t 
  * is too large. Loads that have a closed form at a changing tilt are those of
  * rwedge_contact_apply(); at a constant one, also those that touch or grow with Q in proportion to
  * P. Other errors as those of rwedge_contact_apply(): RWEDGE_EPATH; RWEDGE_ESLIDING; RWEDGE_ERANGE;
- * RWEDGE_ENULL; RWEDGE_ENOMEM. */
+ * RWEDGE_ENOCONV; RWEDGE_ENULL; RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_contact_guide(rwedge_contact *contact, double P, double tilt, double Q,
                                         double sigma);
 
@@ -907,7 +908,7 @@ RWEDGE_API int32_t rwedge_contact_stresses(const rwedge_contact *contact, size_t
  *                  inputs
  * The contact then has the last of the loads. After an error the contact is as before and
  * nothing is written. RWEDGE_EDOMAIN where one of both functions has it; RWEDGE_EPATH;
- * RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENULL; RWEDGE_ENOMEM. */
+ * RWEDGE_ESLIDING; RWEDGE_ERANGE; RWEDGE_ENOCONV; RWEDGE_ENULL; RWEDGE_ENOMEM. */
 RWEDGE_API int32_t rwedge_contact_stress_history(rwedge_contact *contact, size_t loads,
                                                  const double P[], const double M[],
                                                  const double Q[], const double sigma[], size_t n,
@@ -1046,8 +1047,8 @@ RWEDGE_API int32_t rwedge_contact_worn_zone(const rwedge_contact *contact, doubl
  *   Q_a    as above
  *   depth  length
  *   x      length: the right one of two that are equal
- * RWEDGE_ESLIDING, RWEDGE_EABSENT as above; RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ERANGE. In the
- * tests the depth was right to 1e-10. */
+ * RWEDGE_ESLIDING, RWEDGE_EABSENT, RWEDGE_EPATH as above; RWEDGE_EDOMAIN; RWEDGE_ENULL;
+ * RWEDGE_ERANGE. In the tests the depth was right to 1e-10. */
 RWEDGE_API int32_t rwedge_contact_deepest_wear(const rwedge_contact *contact, double Q_a,
                                                double *depth, double *x);
 
@@ -1058,8 +1059,8 @@ RWEDGE_API int32_t rwedge_contact_deepest_wear(const rwedge_contact *contact, do
  *   depth  receives n numbers, length
  *   p      receives n numbers, stress, negative as in rwedge_contact_tractions(); 0 outside the
  *          zone
- * RWEDGE_ESLIDING, RWEDGE_EABSENT as above; RWEDGE_EDOMAIN; RWEDGE_ENULL; RWEDGE_ERANGE. In the
- * tests both were right to 1e-10. */
+ * RWEDGE_ESLIDING, RWEDGE_EABSENT, RWEDGE_EPATH as above; RWEDGE_EDOMAIN; RWEDGE_ENULL;
+ * RWEDGE_ERANGE. In the tests both were right to 1e-10. */
 RWEDGE_API int32_t rwedge_contact_full_wear(const rwedge_contact *contact, double Q_a, size_t n,
                                             const double x[], double depth[], double p[]);
 
@@ -1314,9 +1315,9 @@ RWEDGE_API double rwedge_contact_displacement(const rwedge_contact *contact, dou
  * It is found by some ten trials on copies. RWEDGE_EPATH also where the displacement is not known:
  * of unlike bodies that slide fully, or off the centre where they slid before the first such load,
  * or without a closed form where no error is allowed; other errors as those of
- * rwedge_contact_apply(): RWEDGE_EDOMAIN; RWEDGE_ERANGE; RWEDGE_ESLIDING; RWEDGE_ENULL;
- * RWEDGE_ENOMEM. In the tests Q was right to 1e-10 of f P; off the centre to 1e-4 of f P, beside
- * boundary elements, and the energy of a cycle to 7e-4. */
+ * rwedge_contact_apply(): RWEDGE_EDOMAIN; RWEDGE_ERANGE; RWEDGE_ESLIDING; RWEDGE_ENOCONV;
+ * RWEDGE_ENULL; RWEDGE_ENOMEM. In the tests Q was right to 1e-10 of f P; off the centre to 1e-4
+ * of f P, beside boundary elements, and the energy of a cycle to 7e-4. */
 RWEDGE_API int32_t rwedge_contact_drive(rwedge_contact *contact, double P, double M, double sigma,
                                         double displacement, double compliance, double *Q);
 

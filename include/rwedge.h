@@ -599,7 +599,7 @@ RWEDGE_API double rwedge_contact_strain(const rwedge_contact *contact);
  * much q errs at most away from fronts: in the tests it erred by more at 2 of 181 places, 1.3 times
  * as much. A load takes a tenth of a second to one, some seconds where P rises as Q turns round.
  * The first load, in whatever proportion of P, M or tilt, Q and sigma, is summed up on 160 cells
- * from touching on, with what slips meanwhile, in a quarter of a second; q then errs by 1e-4 to
+ * from touching on, with what slips meanwhile, in an eighth of a second; q then errs by 1e-4 to
  * 1e-3 of f times the peak pressure in the mean, whatever the tolerance. Of 350 random ones, |beta|
  * <= 1/4, 0.15 <= f <= 0.9, |Q| <= 0.95 f P, all converged. A symmetric pad that is not tilted and
  * is pressed along P alone is known in closed form where that errs by less than the tolerance:

@@ -130,12 +130,12 @@ static double added(const rw_frame *frame, const rw_numerical *from, const rw_nu
 /* A load that adds more to the error, over the tolerance, has not converged, as the header says. */
 static const double MOST_ADDED = 10;
 
-/* A copy of the state `from`, or the state on a line from touching that goes on. */
+/* A copy of the state `from`, or the state further along its line from touching. */
 static int32_t start_from(const rwedge_contact *c, const rw_numerical *from, rw_scaled_loads to,
                           rw_numerical **start)
 {
     bool is_whole = true;
-    if (is_on_line_from_touching(c, from, to))
+    if (!is_at(from, to) && is_on_line_from_touching(c, from, to))
         return rw_numerical_of_touching(c, to, start);
     *start = rw_numerical_copy(from, &is_whole);
     return *start && is_whole ? RWEDGE_OK : RWEDGE_ENOMEM;

@@ -213,11 +213,12 @@ load_fault loads_fault(int32_t status, load to, double f, const rwedge_contact *
         return path_fault(to, contact);
     if (status == RWEDGE_ESLIDING)
         return fault_at(INPUT_Q, "must not exceed f P = %.6g: there is no equilibrium", f * to.P);
+    const bool is_first = rwedge_contact_beta(contact) != 0 && loads_of(contact).P == 0;
     return fault_at(INPUT_COUNT, "%s%s", rwedge_strerror(status),
                     status != RWEDGE_ENOCONV ? ""
-                    : rwedge_contact_beta(contact) != 0
-                        ? ": unlike bodies are to be pressed along P first, then sheared"
-                        : ": smaller loads may go");
+                    : is_first ? ": the first load of unlike bodies has too large an M or sigma; "
+                                 "allowed: P alone first, then the rest"
+                               : ": smaller loads may go");
 }
 
 bool loads_spare_flanks(const pad *shape, const rwedge_contact *contact, complaint *why)

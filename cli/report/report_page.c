@@ -31,7 +31,8 @@ static void put(output *out, const char *text)
 /* Without remarks, and what is of the command line. */
 static void put_meaning(output *out, const char *meaning)
 {
-    static const char *const ends[] = {";", ", or --", ", in place of --", " (default"};
+    static const char *const ends[] = {";",        ", or --",      ", in place of --", " (default",
+                                       " instead", ", in radians", ", whose",          ", 0 to "};
     size_t length = strlen(meaning);
     for (size_t i = 0; i < sizeof ends / sizeof ends[0]; i++) {
         const char *end = strstr(meaning, ends[i]);

@@ -29,6 +29,11 @@ like_solve() { # WHAT OPTIONS...
 }
 like_solve "a wedge" $steel --theta 0.02 --radius 50 --P 3000 --Q 40 --f 0.3 --yield-stress 900
 like_solve "a cylinder" $steel --radius 50 --P 300 --Q 40 --f 0.3
+# A meaning stands without what is of the options alone.
+does report $steel --radius 50 --P 300 --f 0.3 --yield-stress 900 --no-pictures
+for text in "<span>Radius of the rounding <" "<span>Yield stress in tension <" "<span>Young's modulus of body 1 <" "<span>Poisson's ratio of body 1 <"; do
+    has "a meaning" "$text"
+done
 like_solve "a flat pad with a moment" $steel --flat 0.5 --radius 10 --P 300 --M 20 --Q 40 --f 0.3
 like_solve "a history" $steel --radius 50 --f 0.3 --load 300,0 --load 300,40,0,0 --load 200,20
 

@@ -19,7 +19,7 @@ const LOADS_SHOWN = 8,
 
 const signed = (text) => escaped(text).replace(/^-/, "\u2212");
 /** Without remarks, and what is of the command line. */
-const short = (meaning) => escaped(meaning.split(/;|, or --|, in place of --| \(default/)[0]);
+const short = (meaning) => escaped(meaning.split(/;|, or --|, in place of --| \(default| instead|, in radians|, whose|, 0 to /)[0]);
 const line = (meaning, name, value, unit = "") =>
     `<div><span>${short(meaning)} <span class="meaning">${escaped(name)}</span></span><b>${signed(value)}</b><i>${escaped(unit)}</i></div>`;
 const items = (list = []) => list.map((text) => `<li>${escaped(text)}</li>`).join("");

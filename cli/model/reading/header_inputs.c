@@ -46,7 +46,7 @@ static bool is_given_somehow(const sources *from, int input)
     return false;
 }
 
-/* The input whose name this nearly is: "Yield stress" and " f" are slips. But p beside P, or F
+/* The input whose name this nearly is: "Yield stress" and "nu_1" are slips. But p beside P, or F
  * beside f, may be another thing; so is what stands beside the input's own column. */
 static int slip_for(const sources *from, const char *name, size_t length)
 {

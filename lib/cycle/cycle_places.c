@@ -134,3 +134,15 @@ int32_t rwedge_cycle_places(const rwedge_cycle *cycle, size_t n, double x[])
 {
     return cycle ? tell(cycle->edges.place, cycle->edges.places, n, x) : RWEDGE_ENULL;
 }
+
+int32_t rwedge_cycle_permanent_stick(const rwedge_cycle *cycle, double *left, double *right)
+{
+    if (!cycle || !left || !right)
+        return RWEDGE_ENULL;
+    const rw_patch never = cycle->never_slips;
+    if (!(never.left < never.right))
+        return RWEDGE_EABSENT;
+    *left = never.left;
+    *right = never.right;
+    return RWEDGE_OK;
+}

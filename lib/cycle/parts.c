@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The way to a load, on which P or M changes: it is cut into parts, and the states between them are
  * noted. */
-#include "cycle/walk.h"
+#include "cycle/parts.h"
 
 #include "base/tuned.h"
 #include "loading/apply.h"

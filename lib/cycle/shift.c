@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* How far the surfaces have moved tangentially against each other: how its slope and its shift go
  * on from state to state. */
-#include "cycle/walk.h"
+#include "cycle/shift.h"
 
 #include "history/gap.h"
 

@@ -1,9 +1,10 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What is noted of a state: its shear, its patch, where it sticks, how the displacement goes on,
  * and what happens at the edges. */
-#include "cycle/walk.h"
+#include "cycle/states.h"
 
 #include "base/array.h"
+#include "cycle/stuck.h"
 
 #include <stdlib.h>
 

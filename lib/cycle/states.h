@@ -6,17 +6,10 @@
 #define RW_STATES_H
 
 #include "contact/record.h"
+#include "cycle/shift.h"
 
 /* The slip of places that come into contact in a step, since they did, is known at so many. */
 enum { RW_RING = 6 };
-
-/* How far the surfaces have moved tangentially against each other, at a place x of a state, is
- *     unit sum + slope x + shift
- * with the sum of friction.c. It counts from the same for all states of a cycle; while the place is
- * in contact it changes by slip alone. */
-typedef struct {
-    double slope, shift;
-} rw_displacement;
 
 typedef struct {
     rw_patch patch; /* of the contact; NaN when separated */
@@ -110,12 +103,6 @@ enum { RW_SLIP_PLACES = 32 };
 void rw_slip_measures_at(const rwedge_cycle *cycle, size_t n, const double x[], rw_piece_sum room[],
                          rw_slip_measures measures[]);
 
-/* The patch of a contact; NaN where the bodies are apart. */
-static inline rw_patch rw_patch_of(const rwedge_contact *c)
-{
-    return c->memory.count > 1 ? rw_memory_end(&c->memory)->patch : (rw_patch){NAN, NAN};
-}
-
 /* The inner and the outer end, as left and right, of what a step from the patch `old` to `now` has
  * added to the contact, or taken from it, at its left (0) or right (1) edge. A contact that lies
  * apart from the old one is all new, from its middle on. */
@@ -138,17 +125,16 @@ int32_t rw_cycle_stresses(const rwedge_cycle *cycle, size_t n, const double x[],
 /* The largest sxx after any load at the place i, from the stresses at n places. */
 double rw_largest_stress(const rwedge_cycle *cycle, size_t n, const double stress[], size_t i);
 
-/* The zones that never slip so far, as steps are added: stuck.c. */
-typedef struct {
-    rw_patch *all;
-    size_t count;
-} rw_stuck_zones;
+/* Notes a state for slip, which may be computed beside the contact. `from`: the contact before the
+ * step, NULL in the first state; `lender` as in rw_record_add(), of the contact alone. */
+int32_t rw_note_state(rwedge_cycle *cycle, const rwedge_contact *from, const rwedge_contact *to,
+                      const rw_entry *lender);
 
-/* Begins with a contact. Leaves of them what a step leaves: where the patch sticks, or the zones of
- * a computed state. false where memory is short. */
-bool rw_stuck_begin(rw_stuck_zones *zones, const rwedge_contact *contact);
-bool rw_stuck_go_on(rw_stuck_zones *zones, const rwedge_contact *after, rw_patch stuck,
-                    double rounding);
-rw_patch rw_stuck_widest(const rw_stuck_zones *zones);
+/* Notes that all places slip alike, by `slid`, under the loads that the contact has. */
+int32_t rw_note_sliding(rwedge_cycle *cycle, const rwedge_contact *contact, double slid);
+
+/* Notes that what the whole step leaves stuck has stuck in its parts too, which are the states from
+ * `first` on. */
+void rw_note_stuck(rwedge_cycle *cycle, size_t first, rw_patch stuck);
 
 #endif

@@ -2,7 +2,7 @@
 /* The zone that never slips in a cycle: the part that all steps have in common of where they slip
  * nowhere. A step in closed form has one such patch, which the paths before and after it have in
  * common. Of a computed step it is where the state after it sticks. */
-#include "cycle/walk.h"
+#include "cycle/stuck.h"
 
 #include <stdlib.h>
 
@@ -69,16 +69,4 @@ rw_patch rw_stuck_widest(const rw_stuck_zones *zones)
         if (zones->all[i].right - zones->all[i].left > best.right - best.left)
             best = zones->all[i];
     return best;
-}
-
-int32_t rwedge_cycle_permanent_stick(const rwedge_cycle *cycle, double *left, double *right)
-{
-    if (!cycle || !left || !right)
-        return RWEDGE_ENULL;
-    const rw_patch never = cycle->never_slips;
-    if (!(never.left < never.right))
-        return RWEDGE_EABSENT;
-    *left = never.left;
-    *right = never.right;
-    return RWEDGE_OK;
 }

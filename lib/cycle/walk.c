@@ -4,6 +4,8 @@
  * beside the first one. */
 #include "cycle/walk.h"
 
+#include "cycle/parts.h"
+#include "cycle/stuck.h"
 #include "loading/apply.h"
 #include "loading/beside.h"
 

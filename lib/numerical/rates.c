@@ -135,20 +135,29 @@ static double slip_in(rw_fronts *f, const rw_problem *p, const rw_zones *zones, 
     return solve(f, p, zones, zone.label, &s) ? largest_slip(f, &s, zone, -1) : 0;
 }
 
-/* How far the traction goes beyond friction, on average, in a part that slipped with its label and
- * now sticks: then it slips on at first. */
-static double excess_in(rw_fronts *f, const rw_problem *p, const rw_zones *zones, rw_zone part)
+/* How far the traction goes beyond friction at the RW_RATE_POINTS places x of a part that slipped
+ * with its label and now sticks: where it does, it slips on at first. false where it is not known. */
+static bool excess_in(rw_fronts *f, const rw_problem *p, const rw_zones *zones, rw_zone part,
+                      double x[], double step[], double excess[])
 {
-    const double length = part.right - part.left;
-    double sum = 0, x[RW_RATE_POINTS], step[RW_RATE_POINTS], rate[RW_RATE_POINTS];
     rw_stuck s;
     if (!solve(f, p, zones, part.label, &s))
-        return HUGE_VAL;
-    rate_points(part.left, length, x, step);
-    rates_at(f, &s, true, x, rate);
+        return false;
+    rate_points(part.left, part.right - part.left, x, step);
+    rates_at(f, &s, true, x, excess);
     for (int i = 0; i < RW_RATE_POINTS; i++)
-        sum += fmax(0, part.label * rate[i]) * step[i];
-    return sum / sqrt(length * s.half);
+        excess[i] = fmax(0, part.label * excess[i]);
+    return true;
+}
+
+static double mean_excess_in(rw_fronts *f, const rw_problem *p, const rw_zones *zones, rw_zone part)
+{
+    double sum = 0, x[RW_RATE_POINTS], step[RW_RATE_POINTS], excess[RW_RATE_POINTS];
+    if (!excess_in(f, p, zones, part, x, step, excess))
+        return HUGE_VAL;
+    for (int i = 0; i < RW_RATE_POINTS; i++)
+        sum += excess[i] * step[i];
+    return sum / sqrt((part.right - part.left) * p->half);
 }
 
 void rw_rates_free_ratio(rw_fronts *f, const rw_problem *p, const rw_zones *zones, double ratio[2])
@@ -256,19 +265,25 @@ static double move_fronts(rw_fronts *f, const rw_problem *p, rw_zones *zones, in
     return most;
 }
 
-rw_zones rw_rates_begun(rw_fronts *f, const rw_problem *p, const rw_zones *old,
-                        const rw_zones *after)
+/* Whether the fronts of these zones are found. */
+static bool find_begun(rw_fronts *f, const rw_problem *p, const rw_zones *old, rw_zones *begun)
 {
     enum { MOST_TURNS = 12 };
     static const double CLOSE = 1e-9;
-    const rw_zones common = common_slip(old, after);
-    rw_zones begun = common;
     free_front fronts[RW_MOST_ZONES];
-    int count = free_fronts(old, &common, fronts);
+    int count = free_fronts(old, begun, fronts);
     double move = count > 0 ? HUGE_VAL : 0;
     for (int turn = 0; turn < MOST_TURNS && count > 0 && isgreater(move, CLOSE); turn++)
-        move = move_fronts(f, p, &begun, &count, fronts); /* NaN where it fails */
-    return islessequal(move, CLOSE) || count == 0 ? begun : common;
+        move = move_fronts(f, p, begun, &count, fronts); /* NaN where it fails */
+    return islessequal(move, CLOSE) || count == 0;
+}
+
+rw_zones rw_rates_begun(rw_fronts *f, const rw_problem *p, const rw_zones *old,
+                        const rw_zones *after)
+{
+    const rw_zones common = common_slip(old, after);
+    rw_zones begun = common;
+    return find_begun(f, p, old, &begun) ? begun : common;
 }
 
 /* ---- The error at the beginning ---- */
@@ -314,19 +329,64 @@ double rw_rates_error_at_start(rw_fronts *f, const rw_problem *p, const rw_zones
     return most;
 }
 
+/* The parts that slip before a step and stick in the zones `begun`, wider than `least`. */
+static int stopped_parts(const rw_zones *old, const rw_zones *begun, double least, rw_zone parts[])
+{
+    int count = 0;
+    for (int i = 0; i < old->count; i++)
+        for (int k = 0; k < begun->count; k++) {
+            const rw_zone zone = old->zone[i], other = begun->zone[k];
+            const rw_zone part = {zone.label, fmax(zone.left, other.left),
+                                  fmin(zone.right, other.right)};
+            if (zone.label != 0 && other.label == 0 && part.right - part.left > least)
+                parts[count++] = part;
+        }
+    return count;
+}
+
 double rw_rates_excess_at_start(rw_fronts *f, const rw_problem *p, const rw_zones *old,
                                 const rw_zones *after, double least)
 {
     const rw_zones begun = common_slip(old, after);
+    rw_zone parts[2 * RW_MOST_ZONES];
+    const int count = stopped_parts(old, &begun, least, parts);
     double most = 0;
-    for (int i = 0; i < old->count; i++)
-        for (int k = 0; k < begun.count; k++) {
-            const rw_zone zone = old->zone[i], other = begun.zone[k];
-            const rw_zone part = {zone.label, fmax(zone.left, other.left),
-                                  fmin(zone.right, other.right)};
-            if (zone.label != 0 && other.label == 0 && part.right - part.left > least)
-                most = fmax(most, excess_in(f, p, &begun, part));
-        }
+    for (int i = 0; i < count; i++)
+        most = fmax(most, mean_excess_in(f, p, &begun, parts[i]));
+    return most;
+}
+
+/* The largest excess at a place of a part, if it begins with its rate, is -room at the end of the
+ * step, and is quadratic in time. */
+static double passing_excess_in(rw_fronts *f, const rw_problem *p, const rw_zones *begun,
+                                rw_zone part, rw_patch contact, const rw_traction *end)
+{
+    double x[RW_RATE_POINTS], step[RW_RATE_POINTS], rate[RW_RATE_POINTS], F[RW_RATE_POINTS];
+    double most = 0;
+    if (!excess_in(f, p, begun, part, x, step, rate))
+        return 0;
+    rw_exact_frictions(p->frame, contact, RW_RATE_POINTS, x, F);
+    for (int i = 0; i < RW_RATE_POINTS; i++) {
+        if (!rw_patch_has(contact, x[i]) || rate[i] == 0)
+            continue;
+        const double room = fmax(0, F[i] - part.label * rw_traction_at(end, x[i]));
+        most = fmax(most, rate[i] * rate[i] / (4 * (rate[i] + room)));
+    }
+    return most;
+}
+
+double rw_rates_passing_excess(rw_fronts *f, const rw_problem *p, const rw_zones *old,
+                               const rw_zones *after, double least, rw_patch contact,
+                               const rw_traction *end)
+{
+    rw_zones begun = common_slip(old, after);
+    rw_zone parts[2 * RW_MOST_ZONES];
+    if (stopped_parts(old, &begun, least, parts) == 0 || !find_begun(f, p, old, &begun))
+        return 0;
+    const int count = stopped_parts(old, &begun, least, parts);
+    double most = 0;
+    for (int i = 0; i < count; i++)
+        most = fmax(most, passing_excess_in(f, p, &begun, parts[i], contact, end));
     return most;
 }
 

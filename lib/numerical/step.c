@@ -343,6 +343,21 @@ static double edge_error(rw_work *w, const rw_numerical_state *from,
     return RW_OF_RATIO_AT_END * most / rw_peak_of(w->frame, there);
 }
 
+/* Slip that goes on at first and ends within a step is not seen by the step, nor by its halves, if
+ * it ends in the first of them. */
+static double passing_error(rw_work *w, const rw_numerical_state *from,
+                            const rw_numerical_state *there)
+{
+    rw_problem rates;
+    if (there->is_exact || w->frame->B != 0)
+        return 0;
+    rw_step_rates(w, from->at, there->at, from->contact, &rates);
+    return rw_rates_passing_excess(&w->fronts, &rates, &from->shear.zones, &there->shear.zones,
+                                   RW_ALLOWED * w->frame->tolerance * rates.half, there->contact,
+                                   &there->shear.traction) /
+           rw_peak_of(w->frame, there);
+}
+
 double rw_compare(rw_work *w, const rw_numerical_state *from, const rw_numerical_state *whole,
                   const rw_numerical_state *half, rw_numerical_state *both)
 {
@@ -351,7 +366,9 @@ double rw_compare(rw_work *w, const rw_numerical_state *from, const rw_numerical
     const double scale = rw_peak_of(frame, whole);
     const double unit = scale * rw_patch_half_width(whole->contact);
     const double energy = (both->energy - whole->energy) / (unit * unit);
+    const bool may_pass = passing_error(w, from, whole) > 0;
     both->error += half->error + half->rate_error + both->rate_error +
+                   (may_pass ? passing_error(w, from, half) + passing_error(w, half, both) : 0) +
                    fmax(growth_error(w, before, whole, half, both),
                         fmax(edge_error(w, from, half), edge_error(w, half, both)));
     const double apart = difference(scale, before, whole, both, both->apart);

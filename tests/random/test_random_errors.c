@@ -577,6 +577,34 @@ static const struct {
       .slope = {-0.29999999999999999, -0.065986705850061236, 0.050600079820345818,
                 0.17740898677286457, 0.18489270951692338, 0.22145413266414002,
                 0.29999999999999999}}},
+    {6.2,
+     1,
+     {.pad = PROFILE,
+      .loads = 3,
+      .f = 0.23427141433146909,
+      .tolerance = 0.0001,
+      .load = {{0.10357412859861051, 0, 0, 0},
+               {0.10004981368702766, -0.004077413299218415, 0.0091068986027392201,
+                -0.041862360192448864},
+               {0.11382965208972236, -0.0077019835676889921, -0.0036512465811395388,
+                0.050385544047616936},
+               {0.10654603764290466, -0.0083302236719043007, 0.0049494577119822769,
+                0.0017926716702024441}},
+      .places = 5,
+      .x = {-0.96084069049953791, -0.96084069049953791, 0.12934789072819064, 0.22075475810014966,
+            0.32805450660240454},
+      .slope = {-0.29999999999999999, -0.23479831159397746, -0.18223280655195948,
+                -0.14259207751257319, 0.29999999999999999}}},
+    {21.5,
+     1,
+     {.pad = CYLINDER,
+      .loads = 2,
+      .f = 0.91751139643228208,
+      .tolerance = 0.001,
+      .load =
+          {{0.32582353341943837, 0, 0, 0},
+           {0.34014981911908621, 0.011630490621502603, 0.29088538761005517, -0.023188468243491689},
+           {0.29759537089150351, 0.025366130094883286, 0.06863464024808566, -0.2976171306352331}}}},
 };
 
 /* A contact grows, and slip begins at one edge: D at the other one takes another course from then
@@ -584,7 +612,8 @@ static const struct {
  * ends with slip that has gone too far, and the next one, exact in itself, sticks there. Or a front
  * comes to lie beside a kink of the profile, where friction rises with no end to its slope.
  * Or an edge passes a kink, and is slow from then on. Or slip begins inside, and then at an edge.
- * Or a grid sees slip at an edge that goes on sticking. */
+ * Or a grid sees slip at an edge that goes on sticking. Or slip goes on at first, and has ended in
+ * all places half-way. */
 CLAIM(errors_that_were_told_too_small)
 {
     for (size_t i = 0; i < sizeof found / sizeof *found; i++) {

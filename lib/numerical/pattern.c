@@ -62,12 +62,19 @@ static int edge_sign(const rw_problem *p, int side)
     return from_load - (side ? 1 : -1) * from_stretch > 0 ? 1 : -1;
 }
 
-/* One zone as wide as an angle or so slips. false where it does already, for a flipped sign. */
+/* Zones at an edge of less than so many angles are not what the grid has. */
+enum { NARROW = 6 };
+
+/* One zone as wide as an angle or so slips, for a flipped sign the other way. A narrow one that
+ * slips may slip the other way too: where slip turns round. false where there is no such variant. */
 static bool slip_at_edge(const rw_problem *p, rw_zones *z, int side, bool flipped, double angle)
 {
     const rw_zone last = z->zone[side ? z->count - 1 : 0];
-    if (last.label != 0)
-        return !flipped;
+    const bool is_narrow = width(last) < NARROW * angle;
+    if (last.label != 0) {
+        z->zone[side ? z->count - 1 : 0].label *= flipped && is_narrow ? -1 : 1;
+        return !flipped || is_narrow;
+    }
     const int label = flipped ? -edge_sign(p, side) : edge_sign(p, side);
     const double part = fmin(0.3 * angle, 0.3 * width(last));
     insert_part(z, side ? (rw_zone){label, last.right - part, last.right}
@@ -79,7 +86,8 @@ static bool slip_at_edge(const rw_problem *p, rw_zones *z, int side, bool flippe
 static bool seems_stuck(const rw_problem *p, const rw_zones *z, int side, double angle)
 {
     const rw_zone last = side ? z->zone[z->count - 1] : z->zone[0];
-    return p->grows[side] && (last.label == 0 || width(last) < 6 * angle + 3 * p->growth[side]);
+    return p->grows[side] &&
+           (last.label == 0 || width(last) < NARROW * angle + 3 * p->growth[side]);
 }
 
 bool rw_pattern_variant(const rw_problem *p, const rw_zones *z, double angle, int number,

@@ -98,10 +98,10 @@ static double shear_of_cylinder(double b, double c, double e, double x)
     return fabs(y) < 1 ? slipping - c / b * sqrt(1 - y * y) : slipping;
 }
 
-/* The left edge slips one way at first and then the other. No zones are found at the moment between
- * them, where the grid's answer is taken; places that stick keep its error of 2e-4, which was told
- * as 1e-7. */
-CLAIM(what_is_taken_from_the_grid_stays_in_the_error)
+/* The left edge slips one way at first and then the other. No zones were found at the moment between
+ * them, and the grid's answer was taken: places that stuck kept its error of 2e-4, which was told as
+ * 1e-7. */
+CLAIM(slip_turns_round_at_an_edge)
 {
     const double P = 1.8920725239880871, f = 0.86134287727517711, Q = 1.1510521646865586,
                  sigma = -0.6922937369870179;
@@ -110,7 +110,7 @@ CLAIM(what_is_taken_from_the_grid_stays_in_the_error)
     const double c = b * sqrt(1 - Q / (f * P)), e = sigma * b / (4 * f * p0);
     apply(cylinder, P, 0, Q, sigma);
     const double error = rwedge_contact_error(cylinder);
-    assert_true(error > 0 && error <= 1e-5);
+    assert_true(error > 0 && error <= 1e-6);
     for (int i = 0; i < 99; i++) {
         const double x = b * (i - 49) / 50;
         if (fabs(fabs(x - e) - c) > b / 80)

@@ -74,6 +74,15 @@ static bool is_pressed_alone(const rig *r)
            fabs(beyond_with(0, r)) <= NO_WAY * c->geometry.A * c->f * r->P;
 }
 
+/* A way that is lost in the rounding of displacements: it does not turn the bodies round. */
+static double no_way(const rig *r, double limit)
+{
+    static const double ROUNDED = 1e-14;
+    const double slid = r->contact->drive.slid;
+    return ROUNDED *
+           (fabs(r->displacement) + fabs(slid) + (r->compliance + r->contact->geometry.A) * limit);
+}
+
 /* Q, and how far the bodies slide besides; NaN where the root, or how far, is not known. The side
  * on which the contact is comes first. */
 static double find(const rig *r, double *slid)
@@ -89,7 +98,7 @@ static double find(const rig *r, double *slid)
         if (isnan(short_of) || (short_of > 0 && fabs(side[i].Q) < limit))
             return NAN;
         *slid = short_of > 0 ? -side[i].beyond : 0;
-        if (short_of >= 0)
+        if (short_of >= -no_way(r, limit))
             return side[i].Q;
     }
     return rw_root(beyond_with, r, fmin(side[0].Q, side[1].Q), fmax(side[0].Q, side[1].Q),

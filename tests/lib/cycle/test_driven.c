@@ -75,6 +75,17 @@ CLAIM(beyond_friction_the_rest_is_sliding)
     assert_close(drive(contact, P, at_limit + way - back, COMPLIANCE), Q, 1e-10);
 }
 
+/* A displacement that is the same but for rounding, as where a cycle begins anew: Q went back by
+ * 1e-14 of itself, and a tension after it did not converge. */
+CLAIM(what_is_lost_in_rounding_does_not_turn_the_bodies_round)
+{
+    const double way = 2 * (mindlin(F * P) + COMPLIANCE * F * P);
+    rwedge_contact *contact = cylinder();
+    assert_true(drive(contact, P, way, COMPLIANCE) == F * P);
+    assert_true(drive(contact, P, way * (1 - 1e-15), COMPLIANCE) == F * P);
+    assert_true(drive(contact, P, way * (1 - 1e-12), COMPLIANCE) < F * P);
+}
+
 /* A stiff rig on a contact that has been separated begins where it is then. */
 CLAIM(a_contact_that_touches_anew_begins_where_the_rig_is)
 {

@@ -66,7 +66,8 @@ static int edge_sign(const rw_problem *p, int side)
 enum { NARROW = 6 };
 
 /* One zone as wide as an angle or so slips, for a flipped sign the other way. A narrow one that
- * slips may slip the other way too: where slip turns round. false where there is no such variant. */
+ * slips may slip the other way too: where slip turns round. false where there is no such
+ * variant. */
 static bool slip_at_edge(const rw_problem *p, rw_zones *z, int side, bool flipped, double angle)
 {
     const rw_zone last = z->zone[side ? z->count - 1 : 0];

@@ -136,7 +136,8 @@ static double slip_in(rw_fronts *f, const rw_problem *p, const rw_zones *zones, 
 }
 
 /* How far the traction goes beyond friction at the RW_RATE_POINTS places x of a part that slipped
- * with its label and now sticks: where it does, it slips on at first. false where it is not known. */
+ * with its label and now sticks: where it does, it slips on at first. false where it is not
+ * known. */
 static bool excess_in(rw_fronts *f, const rw_problem *p, const rw_zones *zones, rw_zone part,
                       double x[], double step[], double excess[])
 {

@@ -98,9 +98,9 @@ static double shear_of_cylinder(double b, double c, double e, double x)
     return fabs(y) < 1 ? slipping - c / b * sqrt(1 - y * y) : slipping;
 }
 
-/* The left edge slips one way at first and then the other. No zones were found at the moment between
- * them, and the grid's answer was taken: places that stuck kept its error of 2e-4, which was told as
- * 1e-7. */
+/* The left edge slips one way at first and then the other. No zones were found at the moment
+ * between them, and the grid's answer was taken: places that stuck kept its error of 2e-4, which
+ * was told as 1e-7. */
 CLAIM(slip_turns_round_at_an_edge)
 {
     const double P = 1.8920725239880871, f = 0.86134287727517711, Q = 1.1510521646865586,

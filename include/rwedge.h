@@ -393,7 +393,8 @@ RWEDGE_API const char *rwedge_validity_text(int32_t doubt);
  *   A      composite compliance, 1/stress, finite, > 0: rwedge_compliance()
  *   f      coefficient of friction, 0 <= f <= 1e6
  *   k      yield stress in pure shear, stress, finite, > 0
- *   P, Q   normal and tangential force per unit length
+ *   P      normal force per unit length
+ *   Q      tangential force per unit length
  * The functions that return a double give NaN outside the domain, and where the result or a/b
  * leaves it. */
 
@@ -1265,8 +1266,9 @@ RWEDGE_API int32_t rwedge_cycle_displacement(const rwedge_cycle *cycle, size_t l
 /* The zone that never slips in the cycle, nor leaves the contact. In a steady cycle between two
  * loads it is that of rwedge_contact_permanent_stick().                                         new
  *   left, right  its edges, length: of the widest where there are several
- * RWEDGE_EABSENT where there is none; RWEDGE_ENULL. Error as that of rwedge_contact_stick_zone();
- * of computed loads, the states after which tell it, theirs. */
+ * RWEDGE_EABSENT where no place sticks all the time; RWEDGE_ENULL. Error as that of
+ * rwedge_contact_stick_zone(). Where loads are computed, the states after them tell the zone, and
+ * it has their error. */
 RWEDGE_API int32_t rwedge_cycle_permanent_stick(const rwedge_cycle *cycle, double *left,
                                                 double *right);
 

@@ -13,6 +13,15 @@ import rwedge
 pytestmark = pytest.mark.skipif(not (os.environ.get("RWEDGE_TOOL") or shutil.which("rwedge")), reason="the tool is not here")
 
 
+def test_an_older_tool_is_told(tmp_path, monkeypatch):
+    older = tmp_path / "rwedge"
+    older.write_text("#!/bin/sh\necho \"rwedge: $1: unknown command; allowed: solve, table\" >&2\nexit 2\n")
+    older.chmod(0o755)
+    monkeypatch.setenv("RWEDGE_TOOL", str(older))
+    with pytest.raises(rwedge.Error, match=r"rwedge is the tool of another version: \d+\.\d+\.\d+ is needed"):
+        rwedge.read_case("rig.csv")
+
+
 def file(tmp_path, name, text):
     path = tmp_path / name
     path.write_text(text, "utf-8")

@@ -56,6 +56,8 @@ def _run(command: str, line: Iterable[str]) -> tuple[str, list[str]]:
     """What a command of the tool writes, and its remarks; what is wrong is an error."""
     done = subprocess.run([_tool(), command, *line], capture_output=True, text=True, encoding="utf-8")
     said = [text.removeprefix(f"rwedge {command}: ") for text in done.stderr.splitlines()]
+    if any(text.startswith(f"rwedge: {command}: unknown command") for text in said):
+        raise Error(f"{_tool()} is the tool of another version: {function('version')().decode()} is needed")
     if done.returncode != 0:
         raise Error("; ".join(said) or f"rwedge {command} ended with {done.returncode}")
     return done.stdout, said

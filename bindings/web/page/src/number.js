@@ -4,7 +4,11 @@ import { numberOf } from "./answers/library.js";
 
 const other = { ".": ",", ",": "." };
 const mayBeThousands = { ",": /^[+-]?[1-9]\d{0,2},\d{3}$/, ".": /^[+-]?[1-9]\d{0,2}\.\d{3}$/ };
-const plain = (text) => text.trim().replaceAll("\u2212", "-").replace(/\s/g, " ");
+
+/** With a minus that the model knows. */
+export const plainRows = (text) => text.replaceAll("\u2212", "-");
+
+const plain = (text) => plainRows(text.trim()).replace(/\s/g, " ");
 
 /** With the chosen decimal sign, as the model reads it. The other sign counts as one too, but where it may separate thousands: there it
  * stays, and the model refuses it. */

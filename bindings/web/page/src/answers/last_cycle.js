@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the last cycle of a history of loads does, as the model answers it; a material's constants as text.
 import { answeredContact, ask, goThrough } from "./library.js";
-import { withPoint } from "../number.js";
+import { plainRows, withPoint } from "../number.js";
 import { crackOf } from "./crack.js";
 import { loopOf } from "./loop.js";
 import { textsFor } from "./solution.js";
-import { plainRows } from "./tables.js";
 import { criteria } from "./words.js";
 
 /** A name and the rest of its line. */

@@ -2,8 +2,7 @@
 // A case as the model answers it: from texts to numbers, results and verdict, or what is wrong.
 import { answeredContact, ask } from "./library.js";
 import { resultKinds } from "./words.js";
-import { withPoint, withSign } from "../number.js";
-import { plainRows } from "./tables.js";
+import { plainRows, withPoint, withSign } from "../number.js";
 
 const linesFor = (texts, sign, write) =>
     Object.entries(texts).map(([name, text]) => `${name}=${name === "profile" ? plainRows(text) : write(text, sign)}`);

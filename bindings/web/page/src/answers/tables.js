@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pasted tables as the model reads them; many cases, a row each.
 import { ask } from "./library.js";
+import { plainRows } from "../number.js";
 import { constantsFor } from "./solution.js";
-
-/** Pasted rows, with a minus that the model knows. */
-export const plainRows = (text) => text.replaceAll("\u2212", "-");
 
 /**
  * { columns, results: names; constants: texts by name; rows: [{ colour, error, cells, values }]; unused } or { complaint }. The texts of

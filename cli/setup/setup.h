@@ -79,12 +79,6 @@ extern struct poptOption input_option_table[], strength_option_table[], shape_op
 /* Fills the tables with the words of the inputs. */
 void input_options_prepare(void);
 
-/* How files are read: their units, columns and rows; for a command without inputs, too. */
-extern struct poptOption reading_option_table[];
-
-/* How the files of a command line are to be read. */
-reading reading_of(const arguments *line, char decimal_sign);
-
 /* How the profile of a command line is made of its file. */
 profile_making profile_making_of(const arguments *line);
 
@@ -94,6 +88,14 @@ void input_texts_from_options(const arguments *line, input_texts *texts);
 
 /* Refuses --hull without a profile. */
 void input_options_check_hull(const arguments *line);
+
+/* ---- reading_options ---- How files are read: their units, columns and rows. */
+
+/* For a command without inputs, too. */
+extern struct poptOption reading_option_table[];
+
+/* How the files of a command line are to be read. */
+reading reading_of(const arguments *line, char decimal_sign);
 
 /* ---- unit_options ---- The working units. */
 

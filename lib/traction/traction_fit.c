@@ -208,8 +208,32 @@ static void shorten(const fit *how, rw_element *e)
         e->coefficient[k] = 0;
 }
 
-/* Fits a part of what has the rest `whole`, in halves where one element is not enough, in the order
- * of x. Next to the end, where x is quadratic in u, the first part is a third. */
+/* A place near x, from < x < to, at which elements meet, of those on a grid. A fit jumps there a
+ * little. Where the next one, whose breaks have moved a little, meets at the same place, it has the
+ * same jump. If it met beside it, no node would be between both places: each element would go on
+ * beyond the old one, and in a hundred fits the jump would grow a thousandfold. Places on the grid
+ * are not round, as those are that are asked for: slopes lose digits where elements meet. */
+static double meeting_place(double x, double from, double to)
+{
+    static const double GRAIN = 0.6180339887;
+    int exponent;
+    frexp(fmin(fabs(x - from), fabs(to - x)) / 32, &exponent);
+    const double grain = ldexp(GRAIN, exponent);
+    return grain * round(x / grain);
+}
+
+/* Where a part is divided: in halves of u. Next to the end, where x is quadratic in u, the first
+ * part is a third. */
+static double division_of(const rw_element *e)
+{
+    const double u = e->first == 0 ? e->last / 3 : (e->first + e->last) / 2;
+    const double x = meeting_place(x_of(e, u), x_of(e, e->first), x_of(e, e->last));
+    const double at = sqrt(fmax(0, (x - e->end) / e->scale));
+    return at > e->first && at < e->last ? at : u;
+}
+
+/* Fits a part of what has the rest `whole`, in two where one element is not enough, in the order of
+ * x. */
 static void fit_part(fit *how, double end, double scale, double first, double last, int depth,
                      double whole)
 {
@@ -224,23 +248,10 @@ static void fit_part(fit *how, double end, double scale, double first, double la
         how->is_short |= !append(how->traction, e);
         return;
     }
-    const double at[] = {first, first == 0 ? last / 3 : (first + last) / 2, last};
+    const double at[] = {first, division_of(e), last};
     const int left = scale > 0 ? 0 : 1, right = 1 - left;
     fit_part(how, end, scale, at[left], at[left + 1], depth - 1, rest);
     fit_part(how, end, scale, at[right], at[right + 1], depth - 1, rest);
-}
-
-/* Where the elements of two breaks meet: near the middle, at a multiple of a power of 2. A fit
- * jumps there a little. Where the next one, whose breaks have moved a little, meets at the same
- * place, it has the same jump. If it met beside it, no node would be between both places: each
- * element would go on beyond the old one, and in a hundred fits the jump would grow a
- * thousandfold. */
-static double meeting_place(double from, double to)
-{
-    int exponent;
-    frexp((to - from) / 64, &exponent);
-    const double grain = ldexp(0.5, exponent); /* a 128th to a 64th of the length */
-    return grain * round((from / 2 + to / 2) / grain);
 }
 
 bool rw_traction_fit(rw_traction *t, rw_values f, const void *context, size_t breaks,
@@ -251,7 +262,7 @@ bool rw_traction_fit(rw_traction *t, rw_values f, const void *context, size_t br
     how.shortest = fmax(SHORTEST * (at[breaks - 1] - at[0]), RW_SAME_PLACE * reach);
     make_rule(&how.rule);
     for (size_t i = 0; i + 1 < breaks; i++) {
-        const double middle = meeting_place(at[i], at[i + 1]);
+        const double middle = meeting_place(at[i] / 2 + at[i + 1] / 2, at[i], at[i + 1]);
         if (!((middle - at[i]) * (at[i + 1] - middle) > 0))
             continue;
         fit_part(&how, at[i], middle - at[i], 0, 1, DEPTH, HUGE_VAL);

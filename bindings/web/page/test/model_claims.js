@@ -408,7 +408,7 @@ test("constants of a material are read as lines or JSON; what is unknown is name
         assert.deepEqual(read(text, ".").criterion.constants, { t_A: 150.5, su: 500 });
     assert.deepEqual(read("su;500\nt_A = 150,5", ",").criterion.constants, { t_A: 150.5, su: 500 });
     assert.equal(read("limit 1", ".").complaint, "limit: no constant that is known here");
-    assert.equal(read('{"kap\\npa": 1}', ".").complaint, "kap: no constant that is known here");
+    assert.equal(read('{"kap\\npa": 1}', ".").complaint, "kap: no constant that is known here; the nearest is kappa");
     assert.equal(read("kappa x", ".").complaint, "kappa x: must be a number");
     assert.equal(read("su 500", ".").complaint, "McDiarmid needs t_A of the material");
     assert.match(read("{", ".").complaint, /^the material: /);
@@ -535,7 +535,7 @@ test("a crack has the tool's ranges, threshold, verdict and sentence", () => {
         crack = { edge: "left", angle: "0", from: "0.02", to: "3", unit: "mm" };
     const { crack: found, complaint } = cycleOf(texts, loads, ".", "3", { ...swt, material, units: "mm,N,MPa" }, crack);
     assert.equal(complaint ?? found.complaint, undefined);
-    const law = "--dK-th 2.1 --ds0 248 --C 1e-7 --m 3 --K-in m".split(" "),
+    const law = "--dK-th 2.1 --ds0 248 --C 1e-7 --m 3 --K-in m --units mm,N,MPa".split(" "),
         how = ["--edge", "left", "--format", "json", "--digits", "17"],
         lengths = ["--lengths", found.length.join()];
     const tool = (...more) => run(["crack", "-", ...optionsOf({ E1: "72100", nu1: "0.33", radius: "60", f: "0.6" }), ...law, ...how, ...more], loads);

@@ -30,6 +30,8 @@ static double left_of(size_t count, const load row[], const double fitted[])
 bool log_fit_find(const rwedge_contact *contact, size_t count, const load row[], log_fit *fit,
                   complaint *why)
 {
+    if (!loop_dissipates(count, row, why))
+        return false;
     double *P = memory_zeroed(5 * count + 1, sizeof *P), *M = P + count, *sigma = M + count,
            *displacement = sigma + count, *Q = displacement + count;
     for (size_t i = 0; i < count; i++) {

@@ -182,6 +182,15 @@ static void read_plan(const arguments *line, output_options *how, plan *job)
     job->cycles = log_cycles_find(job->log.count, job->log.load, load_displacement);
 }
 
+/* Of the rows of the first fit. */
+static double largest_Q(const plan *job)
+{
+    double largest = 0;
+    for (size_t i = 0; i < row_count(job, 0); i++)
+        largest = fmax(largest, fabs(job->log.load[first_row(job, 0) + i].Q));
+    return largest;
+}
+
 static int loop(const arguments *line)
 {
     plan job = {.fits = 0};
@@ -190,7 +199,8 @@ static int loop(const arguments *line)
     compute(&job);
     output_options_write(&how, write_rows, &job);
     unused_say(&job.log.names, job.log.name);
-    notice("%s: left of Q: %.4g, the root of its mean square", job.log.name, job.fit[0].noise);
+    notice("%s: left of Q: %.4g, the root of its mean square, %.2g %% of its largest", job.log.name,
+           job.fit[0].noise, 100 * job.fit[0].noise / largest_Q(&job));
     for (size_t i = 0; i < job.fits; i++)
         free(job.fit[i].Q);
     free(job.fit);

@@ -28,4 +28,8 @@ bool log_fit_find(const rwedge_contact *contact, size_t count, const load row[],
 double loop_area(const load row[], size_t from, size_t to);
 double loop_area_noise(const load row[], size_t from, size_t to, double noise);
 
+/* Whether the cycles of the rows dissipate, but for noise. False, with the complaint, where Q has
+ * the sign of the other body, or stands in the place of the displacement. */
+bool loop_dissipates(size_t count, const load row[], complaint *why);
+
 #endif

@@ -227,11 +227,30 @@ void load_history_read(const arguments *line, char decimal_sign, load_history *l
     *loads = kept;
 }
 
+/* Load cells often count pressing as negative. */
+static const char *sign_hint(const load_history *loads)
+{
+    static char hint[200] = "";
+    const size_t column = loads->names.column[INPUT_P];
+    bool is_negative = !loads->is_of_case && column < loads->names.count;
+    for (size_t i = 0; i < loads->count && is_negative; i++)
+        is_negative = loads->load[i].P <= 0;
+    if (is_negative)
+        snprintf(hint, sizeof hint,
+                 "; P is never above 0: where pressing is negative, --column "
+                 "P='-%.60s' turns its sign",
+                 loads->names.name[column]);
+    return hint;
+}
+
 void load_history_read_measured(const arguments *line, char decimal_sign, load_history *loads)
 {
     reading how = reading_of(line, decimal_sign);
     how.is_measured = true;
     read_file(history_file(line), &how, loads);
+    const char *hint = sign_hint(loads);
+    if (hint[0] != '\0')
+        failure("%s: %s", loads->name, hint + strlen("; "));
 }
 
 /* ---- Applied ---- */
@@ -250,22 +269,6 @@ const char *load_history_place(const load_history *loads, size_t row, char place
     const char *text = loads->row[row].whole;
     snprintf(place, LOAD_PLACE_SIZE, "--load %.*s", (int)strcspn(text, "\n"), text);
     return place;
-}
-
-/* Load cells often count pressing as negative. */
-static const char *sign_hint(const load_history *loads)
-{
-    static char hint[200];
-    const size_t column = loads->names.column[INPUT_P];
-    bool is_negative = !loads->is_of_case && column < loads->names.count;
-    for (size_t i = 0; i < loads->count && is_negative; i++)
-        is_negative = loads->load[i].P <= 0;
-    if (is_negative)
-        snprintf(hint, sizeof hint,
-                 "; P is never above 0: where pressing is negative, --column "
-                 "P='-%.60s' turns its sign",
-                 loads->names.name[column]);
-    return hint;
 }
 
 void load_history_fail(const load_history *loads, size_t row, const char *word,

@@ -115,6 +115,14 @@ fails_with_status 1 "forces.csv: column displacement: missing; a loop needs P, Q
     loop forces.csv $pad
 head -n 5 "$gross" >short.csv
 fails_with_status 1 "short.csv: 4 rows: too few for a loop; needed: 8" loop short.csv $pad
+# Signs of load cells: of P, and of Q that is the one on the other body.
+awk -F, -v OFS=, 'NR > 1 { $2 = -$2 } 1' "$gross" >pulled.csv
+fails_with_status 1 "pulled.csv: P is never above 0: where pressing is negative, --column P='-P' turns its sign" loop pulled.csv $pad
+awk -F, -v OFS=, 'NR > 1 { $4 = $4 ~ /^-/ ? substr($4, 2) : "-" $4 } 1' "$gross" >backwards.csv
+run loop backwards.csv $pad
+status_is 1
+message_has "backwards.csv: the loop runs backwards: its area is -"
+prints_kept "turned round" first loop backwards.csv $pad --digits 4 --column Q=-Q
 awk 'BEGIN { print "P,Q,displacement"; for (i = 0; i < 20; i++) print "400,0,1" }' >still.csv
 fails_with_status 1 "still.csv: no loop: P, Q or the displacement stays 0, or does not change" loop still.csv $pad
 

@@ -270,25 +270,47 @@ static void cut_flanks(scan *part, const double slope[], double steepest, pad_pr
     part->count = last - first + 1;
 }
 
-static bool take_fit(const scan *given, const profile_making *how, pad_profile *to,
-                     profile_remark *remark)
+static bool refuse_down(const scan *given, size_t worst, const profile_making *how,
+                        profile_remark *remark)
+{
+    return refuse(remark, given->line[worst], "height", given->value[worst],
+                  how->is_command ? "the heights point down; --heights down turns them"
+                                  : "the heights point down; they must rise away from x = 0");
+}
+
+/* What is wrong with a fit, and what may be behind it. */
+static bool refuse_all(profile_remark *remark, const pad_profile *to, const char *why)
+{
+    remark->line = 0;
+    snprintf(remark->text, sizeof remark->text, "%s%s", why,
+             to->is_cut ? "; flanks that are too steep were left out: are heights and places in "
+                          "one unit?"
+                        : "");
+    return false;
+}
+
+static bool take_fit(const scan *given, const excess *above, const profile_making *how,
+                     pad_profile *to, profile_remark *remark)
 {
     enum { PLACES = 17 };
     double place[PLACES], slope[PLACES], level;
+    if (given->count < 8)
+        return refuse_all(remark, to, "fewer than 8 heights; allowed: 8 and more for a fit");
     const int32_t status = rwedge_profile_fit(given->count, given->x, given->value, how->arcs,
                                               PLACES, place, slope, &level, &to->rms);
-    if (status == RWEDGE_EABSENT) {
-        remark->line = 0;
-        snprintf(remark->text, sizeof remark->text,
-                 "the heights are not those of one convex pad, beyond their noise: two contacts, "
-                 "with a pocket between them; allowed: the part of one of them");
-        return false;
-    }
+    if (status == RWEDGE_EABSENT && !how->is_down && points_down(given, above->most))
+        return refuse_down(given, above->worst, how, remark);
+    if (status == RWEDGE_EABSENT)
+        return refuse_all(remark, to,
+                          "the heights are not those of one convex pad, beyond their noise: two "
+                          "contacts, with a pocket between them; allowed: the part of one of them");
     if (status != RWEDGE_OK)
         return refuse_status(status, remark);
     to->arcs = 1;
     while (to->arcs + 1 < PLACES && place[to->arcs + 1] > place[to->arcs])
         to->arcs++;
+    if (!(fmax(fabs(slope[0]), fabs(slope[to->arcs])) < STEEPEST))
+        return refuse_all(remark, to, "the fit has slopes of pi/2 and more");
     take((size_t)to->arcs + 1, place, slope, to);
     keep_excess(given, level, to);
     char cut[200];
@@ -321,12 +343,8 @@ static bool judge(const scan *given, const excess *above, const profile_making *
     *remark = (profile_remark){0, ""};
     if (above->count == 0 || how->fits)
         return true;
-    if (!how->takes_hull && !how->is_down && points_down(given, above->most)) {
-        snprintf(why, sizeof why, "the heights point down%s",
-                 how->is_command ? "; --heights down turns them"
-                                 : "; they must rise away from x = 0");
-        return refuse(remark, given->line[above->worst], "height", given->value[above->worst], why);
-    }
+    if (!how->takes_hull && !how->is_down && points_down(given, above->most))
+        return refuse_down(given, above->worst, how, remark);
     snprintf(
         why, sizeof why,
         "not convex at %zu place%s, x = %s; the convex hull %s lower by up to %.6g, at x = %.6g%s",
@@ -353,7 +371,7 @@ static bool make(scan *given, const profile_making *how, double room[], pad_prof
     const profile_remark changed = *remark;
     cut_flanks(given, slope, how->fits ? FIT_STEEPEST : STEEPEST, to, remark);
     if (how->fits)
-        return take_fit(given, how, to, remark);
+        return take_fit(given, &above, how, to, remark);
     if (to->is_cut) {
         status = rwedge_profile_slopes(given->count, given->x, given->value, place, slope);
         if (status != RWEDGE_OK)

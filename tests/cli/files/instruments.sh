@@ -67,6 +67,17 @@ run solve $steel --profile "$rig/cyl900_noise.csv" --fit
 is_hertz "noise that is fitted" 0.01
 message_has "fitted by 1 arc; rms of what is left 0.000194"
 message_has "the fit: the largest residue within the contact is 0.00"
+told "line 102: height 0: the heights point down; --heights down turns them" p_down.csv --fit
+# Heights in um beside places in mm.
+awk -F, -v OFS=, 'NR > 1 { $2 = 1000 * $2 } 1' "$rig/cyl900_noise.csv" >micro.csv
+run solve $steel --profile micro.csv --fit
+status_is 1
+message_has "; flanks that are too steep were left out: are heights and places in one unit?"
+awk 'BEGIN { print "x,height"; for (i = -5; i <= 5; i++) print i / 5 "," 2 * (i < 0 ? -i : i) + 0.01 * (i % 2) }' >micro.csv
+cannot "profile micro.csv: the fit has slopes of pi/2 and more; flanks that are too steep were left out: are heights and places in one unit?" \
+    solve $steel --profile micro.csv --fit
+printf 'x,height\n-1,0.1\n0,0\n1,0.1\n' >few.csv
+cannot "profile few.csv: fewer than 8 heights; allowed: 8 and more for a fit" solve $steel --profile few.csv --fit
 # The edges of a flat pad rise by 0.3 um within the contact; heights are off to and fro by so much, which is all that is left.
 flat_off() { # MILLIMETRES
     awk -v off="$1" 'BEGIN { print "x,height"; for (i = -300; i <= 300; i++) { x = i / 100; d = (x < 0 ? -x : x) - 2; d = d > 0 ? d : 0

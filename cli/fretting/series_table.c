@@ -12,7 +12,7 @@ enum { TESTS_MAX = 100000 };
 
 struct poptOption series_option_table[] = {
     {"input", 'i', POPT_ARG_STRING, NULL, OPTION_TESTS,
-     "A series of tests, a row each of a CSV file; - is standard input", "TESTS.csv"},
+     "A series of tests, a row each of a CSV file; - is standard input", "FILE"},
     {FLAG("fit-length", OPTION_FIT_LENGTH),
      "Of a series: find the length with which its tests scatter least", NULL},
     {VALUE("length", OPTION_LENGTH),

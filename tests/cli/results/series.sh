@@ -149,5 +149,7 @@ does fretting --input lacks.csv $bodies --f 0.6 --P 300
 stops 2 "--load: not with --input" fretting --input lives.csv $bodies --f 0.6 --load 1,2
 stops 2 "--fit-length: needs --input, a series of tests" fretting one.csv $bodies --radius 50 --f 0.6 --fit-length
 stops 2 "--length 1: given together with --fit-length; allowed: one of the two" fretting --input lives.csv $bodies --f 0.6 --fit-length --length 1
+stops 2 "--output tests.csv: it is the file of --input; allowed: another file" fretting --input tests.csv $bodies --f 0.6 -o tests.csv
+stops 2 "--output tests.csv: it is the file of --input; allowed: another file" figure tests --input tests.csv $bodies --f 0.6 --data -o tests.csv
 stops 2 "--output log.csv: it is" fretting --input tests.csv $bodies --f 0.6 -o log.csv
 finish

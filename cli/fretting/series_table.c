@@ -189,26 +189,25 @@ static void run_row(void *of_part, int64_t i)
         test_go(&part->table->all, run, &row->why);
 }
 
-static void read_profile(const series_table *table, const arguments *line, const csv_row *row,
-                         char decimal_sign)
+static void read_profile(const series_table *table, const logs *files, const csv_row *row)
 {
     const size_t column = table->all.names.column[INPUT_PROFILE];
     if (!header_has_input(&table->all.names, INPUT_PROFILE) || column >= row->count)
         return;
     const char *name = row->cell[column];
-    const reading how = reading_of(line, decimal_sign);
-    const profile_making making = profile_making_of(line);
-    if (name[0] != '\0' && strcmp(name, "-") != 0 && file_kind_of(name) != FILE_OTHER)
-        notice("%s", profiles_read(name, &how, &making));
+    const profile_making making = profile_making_of(files->line);
+    if (name[0] == '\0' || strcmp(name, "-") == 0 || file_kind_of(name) == FILE_OTHER)
+        return;
+    output_options_spare(files->out, name, "file of a cell in column ", "profile");
+    notice("%s", profiles_read(name, &files->how, &making));
 }
 
 /* Reads the files that a row names, before threads run it. */
-static void read_files(const arguments *line, char decimal_sign, logs *files,
-                       const series_table *table, test_row *row)
+static void read_files(logs *files, const series_table *table, test_row *row)
 {
     const series *all = &table->all;
     const csv_row *cells = &row->row;
-    read_profile(table, line, cells, decimal_sign);
+    read_profile(table, files, cells);
     if (!cells->malformed)
         row->log = log_named(files, test_log_name(all, cells->cell, cells->count),
                              test_friction(all, cells->cell, cells->count));
@@ -223,7 +222,7 @@ static void run_rows(const arguments *line, const output_options *out, char deci
     const int threads = threads_read(line);
     table->run = memory_zeroed(table->count, sizeof *table->run);
     for (size_t i = 0; i < table->count; i++)
-        read_files(line, decimal_sign, &files, table, &table->row[i]);
+        read_files(&files, table, &table->row[i]);
     measure_count(); /* before the threads */
     progress_start(shows, (int64_t)table->count, "tests");
     for (size_t i = 0; i < table->count; i += AT_ONCE) {
@@ -292,7 +291,6 @@ void series_table_read(const arguments *line, const output_options *out, char de
     const char *path = line->value[OPTION_TESTS];
     refuse_others(line);
     *table = (series_table){.all = {.below = distance_read(line, material_of(line)),
-
                                     .cycles = contact_history_cycles(line, 3)}};
     input_texts_from_options(line, &table->all.constants);
     input_options_check_hull(line);

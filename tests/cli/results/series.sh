@@ -151,5 +151,8 @@ stops 2 "--fit-length: needs --input, a series of tests" fretting one.csv $bodie
 stops 2 "--length 1: given together with --fit-length; allowed: one of the two" fretting --input lives.csv $bodies --f 0.6 --fit-length --length 1
 stops 2 "--output tests.csv: it is the file of --input; allowed: another file" fretting --input tests.csv $bodies --f 0.6 -o tests.csv
 stops 2 "--output tests.csv: it is the file of --input; allowed: another file" figure tests --input tests.csv $bodies --f 0.6 --data -o tests.csv
+printf 'x,slope\n-1,-0.1\n1,0.1\n' >pad.csv
+printf 'profile,P,Q_max\npad.csv,300,60\n' >pads.csv
+stops 2 "--output pad.csv: it is the file of a cell in column profile; allowed: another file" fretting --input pads.csv $bodies --f 0.6 -o pad.csv
 stops 2 "--output log.csv: it is" fretting --input tests.csv $bodies --f 0.6 -o log.csv
 finish

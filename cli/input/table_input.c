@@ -270,13 +270,14 @@ static void guess(table_input *t, char separator, finding *to)
 {
     static beginning all;
     size_t i = 0;
-    *to = (finding){.separator = separator, .mode = gives_places(t->how.columns) ? PLACED : NAMED};
+    *to = (finding){.separator = separator};
     begin_with(t, separator, false, &all);
     while (i < all.count && !is_of_numbers(&all, i))
         i++;
+    if (all.count > 0 && i == 0 && gives_places(t->how.columns))
+        to->mode = PLACED;
     i = i < all.count ? i : 0; /* there are no numbers */
-    while (to->mode == NAMED && i > 0 &&
-           (numbers_of_either(&all.row[i]) > 0 || is_of_units(&all.row[i])))
+    while (i > 0 && (numbers_of_either(&all.row[i]) > 0 || is_of_units(&all.row[i])))
         i--;
     if (all.count > 0)
         to->line = all.row[i].line;

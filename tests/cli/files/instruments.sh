@@ -156,6 +156,8 @@ done
 printf 'LabVIEW Measurement\t\nSamples\t2\t2\t\nDate\t1/2\t1/2\t\nX\tNormal\tSide\tNote\n0\t500\t10\t\n1\t500\t20\t\n' >lv.lvm
 cannot "lv.lvm: line 4: column P: missing; a history needs P and Q; the names there: 'X', 'Normal', 'Side', 'Note'; --column \
 NAME='THEIR NAME' takes one" history lv.lvm $pad
+cannot "clean.csv: column 1, for P: missing; the names there: 'P', 'Q', 'sigma'; --column NAME='THEIR NAME' takes one" \
+    history clean.csv $pad --column P=1
 cannot "bare.csv: column 4, for sigma: missing; there are 3" history bare.csv $pad --column P=-2 --column Q=1 --column sigma=4
 # A point or a bracket before the unit belongs to the name.
 printf 'Load(8801:Load) (N/mm),Q rel. [N/mm],sigma\n135.75,0,0\n135.75,38.75,100\n' >bracket.csv

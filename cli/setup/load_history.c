@@ -62,6 +62,9 @@ bool history_is_given(const arguments *line)
 
 void history_check(const arguments *line)
 {
+    if (line->value[OPTION_COMPLIANCE] != NULL && !history_is_given(line))
+        usage_error("--compliance %s: needs loads from a file with the column displacement",
+                    line->value[OPTION_COMPLIANCE]);
     const char *encoding = line->value[OPTION_ENCODING];
     if (encoding != NULL && history_file(line) == NULL &&
         line->value[OPTION_INPUT + INPUT_PROFILE] == NULL)

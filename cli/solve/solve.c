@@ -227,6 +227,9 @@ static void check_files(const arguments *line, const char *file)
     if (file != NULL && history_is_given(line))
         usage_error("--%s: given together with --input; allowed: one of the two",
                     history_file(line) != NULL ? "history" : "load");
+    if (file != NULL && line->value[OPTION_COMPLIANCE] != NULL)
+        usage_error("--compliance %s: is of one contact, not with --input",
+                    line->value[OPTION_COMPLIANCE]);
     if (encoding != NULL && file == NULL && history_file(line) == NULL &&
         line->value[OPTION_INPUT + INPUT_PROFILE] == NULL)
         usage_error("--encoding %s: needs --input, --history or --profile", encoding);

@@ -152,4 +152,9 @@ does fretting tension.csv $cylinder $compliance --x 0
 same "the middle slips" 1 "$(by_name 'NR == 2 { print ($slip_range > 0.02) }' out)"
 fails_with_status 1 "tension.csv: line 29: the displacement is not known: no closed form; without --exact it is computed" history tension.csv $cylinder $compliance --exact
 
+for command in "solve --P 300" "profile --P 300" "field --P 300"; do
+    refuses "--compliance 1e-5: needs loads from a file with the column displacement" $command $cylinder --compliance 1e-5
+done
+refuses "--compliance 1e-5: is of one contact, not with --input" solve -i cases.csv --compliance 1e-5
+
 finish

@@ -82,6 +82,10 @@ static bool take_mark(source *in)
     const bool is_utf8 = begins_with(in, utf8, 3),
                is_utf16 = begins_with(in, little, 2) || begins_with(in, big, 2);
     in->started = true;
+    if (begins_with(in, "PK\x03\x04", 4))
+        return complain(&in->seen.problem,
+                        "%s: a spreadsheet, or another archive; allowed: text: save it as CSV",
+                        in->seen.name);
     in->seen.has_mark = is_utf8 || is_utf16;
     if (is_utf8 && in->encoding != NULL && strcasecmp(in->encoding, "utf-8") != 0)
         return complain(&in->seen.problem,

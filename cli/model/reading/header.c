@@ -246,6 +246,8 @@ const char *header_hint(const char *const name[], size_t count)
         return count > 1 && number_read_cell(name[0], '.', &number)
                    ? "; the first row has numbers, where the names of the columns must be"
                    : "";
+    if (strchr(name[0], '|') != NULL)
+        return "; the columns seem to be separated by '|': a first line \"sep=|\" says so";
     if (strchr(name[0], ';') != NULL)
         return "; the columns seem to be separated by ';': --decimal-comma reads that, or, where "
                "numbers have a point, a first line \"sep=;\"";

@@ -53,6 +53,11 @@ if command -v iconv >/dev/null && echo ü | iconv -f UTF-8 -t WINDOWS-1252 >/dev
 fi
 refuses "--encoding klingon: unknown encoding; allowed: utf-8, utf-16, windows-1252, and others that iconv knows" \
     solve -i utf8.csv $fixed --encoding klingon
+printf 'PK\003\004\024\000' >book.xlsx
+cannot "book.xlsx: a spreadsheet, or another archive; allowed: text: save it as CSV" solve -i book.xlsx $fixed
+printf 'P|Q\n1|0\n' >bars.csv
+cannot "bars.csv: column P: missing; a history needs P and Q; the columns seem to be separated by '|': a first line \"sep=|\" says so; the \
+names there: 'P|Q'; --column NAME='THEIR NAME' takes one" history bars.csv $fixed --a 1 --f 0.1
 refuses "--encoding utf-8: needs --input, --history or --profile" solve --encoding utf-8
 # A profile has an encoding too, and whatever is read, an unknown one is a mistake on the command line.
 printf '\303\234ber,x,height\n,-1,0.1\n,0,0\n,1,0.1\n' | iconv -f UTF-8 -t WINDOWS-1252 >profile.csv

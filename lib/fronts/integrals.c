@@ -246,6 +246,16 @@ static double next_bend(const rw_frame *frame, double end, int way)
     return next;
 }
 
+/* How far beyond a front the next one is: at the other end of the zone that sticks there. */
+static double next_front(const rw_stuck *s, double front, int way)
+{
+    double next = HUGE_VAL;
+    for (int i = 0; i < 2 * s->count; i++)
+        if (way * (s->end[i] - front) > 0)
+            next = rw_smaller(next, fabs(s->end[i] - front));
+    return next;
+}
+
 /* Panels that shrink to a distance. */
 static double shrinking(double distance, double length)
 {
@@ -258,8 +268,10 @@ static int panels_towards(const rw_problem *p, const rw_stuck *s, double end, in
 {
     const double front = nearest_end(s, end), other = next_break(p, end, way);
     if (front == 0) {
-        const double bend = next_bend(p->frame, end, way);
-        const double least = bend < length ? fmin(AWAY, shrinking(bend, length) - 1) : 0;
+        const double bend = next_bend(p->frame, end, way), next = next_front(s, end, way);
+        const double by_bend = bend < length ? fmin(AWAY, shrinking(bend, length) - 1) : 0,
+                     by_front = next < length ? shrinking(next, length) - 1 : 0;
+        const double least = fmin(RW_MOST_PANELS, fmax(by_bend, by_front));
         return (int)fmax(least, fmin(finest, shrinking(NARROWEST * p->half, length) - 1));
     }
     if (front < length)

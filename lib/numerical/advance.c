@@ -78,7 +78,7 @@ static bool end_step(load_work *j, trial *t, rw_scaled_loads to, bool is_last, d
     *error = HUGE_VAL;
     if (rw_implicit_step(w, from, rw_part_of_line(from->at, to, 0.5), guess, is_last, &t->half) &&
         knows_whole) {
-        if (rw_step_goes_on(w, &t->half, &t->whole)) {
+        if (rw_step_goes_on(w, from, &t->half, &t->whole)) {
             move(&t->both, &t->whole);
             *error = 0;
         } else if (rw_implicit_step(w, &t->half, to, guess, is_last, &t->both))

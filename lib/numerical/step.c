@@ -189,6 +189,21 @@ bool rw_step_zones(rw_work *w, const rw_numerical_state *from, rw_scaled_loads t
     return rw_search_zones(w, &p, guess, by_grid, zones);
 }
 
+/* Slip that goes on at first and ends within a step is not seen by the step, nor by its halves, if
+ * it ends in the first of them. */
+static double passing_error(rw_work *w, const rw_numerical_state *from,
+                            const rw_numerical_state *there)
+{
+    rw_problem rates;
+    if (there->is_exact || w->frame->B != 0)
+        return 0;
+    rw_step_rates(w, from->at, there->at, from->contact, &rates);
+    return rw_rates_passing_excess(&w->fronts, &rates, &from->shear.zones, &there->shear.zones,
+                                   RW_ALLOWED * w->frame->tolerance * rates.half, there->contact,
+                                   &there->shear.traction) /
+           rw_peak_of(w->frame, there);
+}
+
 /* Whether all places that stick in `inner` stick in `outer` too. */
 static bool is_nested(const rw_zones *inner, const rw_zones *outer, double slack)
 {
@@ -203,8 +218,10 @@ static bool is_nested(const rw_zones *inner, const rw_zones *outer, double slack
     return true;
 }
 
-bool rw_step_goes_on(rw_work *w, const rw_numerical_state *from, rw_numerical_state *there)
+bool rw_step_goes_on(rw_work *w, const rw_numerical_state *begun, const rw_numerical_state *from,
+                     rw_numerical_state *there)
 {
+    const double passing = passing_error(w, begun, from);
     rw_problem p;
     rw_outcome outcome;
     if (w->frame->B != 0) /* the pressure changes */
@@ -212,7 +229,7 @@ bool rw_step_goes_on(rw_work *w, const rw_numerical_state *from, rw_numerical_st
     if (!set_problem(w, from, there->at, there->contact, &p))
         return false;
     rw_fronts_forget(&w->fronts);
-    if (!p.is_still || fmax(from->rate_error, there->rate_error) > p.allowed ||
+    if (!p.is_still || fmax(passing, fmax(from->rate_error, there->rate_error)) > p.allowed ||
         !is_nested(&there->shear.zones, &from->shear.zones, p.allowed * p.half) ||
         !rw_fronts_begin(&w->fronts, &p, &there->shear.zones, (double[2]){NAN, NAN}))
         return false;
@@ -220,7 +237,7 @@ bool rw_step_goes_on(rw_work *w, const rw_numerical_state *from, rw_numerical_st
     if (outcome.violation > p.allowed)
         return false;
     there->energy = from->energy + outcome.energy;
-    there->error = fmax(from->error, fmax(there->error, outcome.violation));
+    there->error = fmax(passing, fmax(from->error, fmax(there->error, outcome.violation)));
     return true;
 }
 
@@ -289,18 +306,32 @@ static double difference(double scale, rw_patch before, const rw_numerical_state
     return most;
 }
 
+/* Whether the error at an edge that grows and sticks counts. Where slip has just ended there, the
+ * ring that is new in contact may lie all next to the end of a slip zone, and is left out. */
+static bool has_ring(const rw_numerical_state *from, const rw_numerical_state *there, int side)
+{
+    const rw_zones *zones = &from->shear.zones;
+    const double old = side ? from->contact.right : from->contact.left;
+    const double edge = side ? there->contact.right : there->contact.left;
+    const bool slipped = zones->zone[side ? zones->count - 1 : 0].label != 0;
+    return rw_patch_has(there->contact, old) &&
+           !(slipped && fabs(edge - old) < RW_AT_FRONT * rw_patch_half_width(there->contact));
+}
+
 /* How much D half-way differs from that of the whole, at an edge that sticks, as a traction at the
  * place of the old edge. */
-static double growth_error(rw_work *w, rw_patch before, const rw_numerical_state *whole,
-                           const rw_numerical_state *half, const rw_numerical_state *both)
+static double growth_error(rw_work *w, const rw_numerical_state *from,
+                           const rw_numerical_state *whole, const rw_numerical_state *half,
+                           const rw_numerical_state *both)
 {
+    const rw_patch before = from->contact;
     double most = 0;
     for (int side = 0; side < 2; side++) {
         const double old = side ? before.right : before.left;
         const rw_friction *friction = isnan(whole->D[side] + half->D[side] + both->D[side])
                                           ? NULL
                                           : friction_of(w, half->contact);
-        if (!friction || !rw_patch_has(whole->contact, old))
+        if (!friction || !has_ring(from, whole, side))
             continue;
         const double D = rw_layers_ratio(w->frame, friction, whole->contact, &whole->layers, side);
         most =
@@ -336,26 +367,11 @@ static double edge_error(rw_work *w, const rw_numerical_state *from,
     for (int side = 0; side < 2; side++) {
         const double old = side ? from->contact.right : from->contact.left;
         const double edge = side ? there->contact.right : there->contact.left;
-        if (!isnan(D[side] + there->D[side]) && rw_patch_has(there->contact, old))
+        if (!isnan(D[side] + there->D[side]) && has_ring(from, there, side))
             most = fmax(most, fabs(ratio_at_edge(w->frame, there, edge, old) - D[side]) *
                                   rw_exact_friction(w->frame, there->contact, old));
     }
     return RW_OF_RATIO_AT_END * most / rw_peak_of(w->frame, there);
-}
-
-/* Slip that goes on at first and ends within a step is not seen by the step, nor by its halves, if
- * it ends in the first of them. */
-static double passing_error(rw_work *w, const rw_numerical_state *from,
-                            const rw_numerical_state *there)
-{
-    rw_problem rates;
-    if (there->is_exact || w->frame->B != 0)
-        return 0;
-    rw_step_rates(w, from->at, there->at, from->contact, &rates);
-    return rw_rates_passing_excess(&w->fronts, &rates, &from->shear.zones, &there->shear.zones,
-                                   RW_ALLOWED * w->frame->tolerance * rates.half, there->contact,
-                                   &there->shear.traction) /
-           rw_peak_of(w->frame, there);
 }
 
 double rw_compare(rw_work *w, const rw_numerical_state *from, const rw_numerical_state *whole,
@@ -369,7 +385,7 @@ double rw_compare(rw_work *w, const rw_numerical_state *from, const rw_numerical
     const bool may_pass = passing_error(w, from, whole) > 0;
     both->error += half->error + half->rate_error + both->rate_error +
                    (may_pass ? passing_error(w, from, half) + passing_error(w, half, both) : 0) +
-                   fmax(growth_error(w, before, whole, half, both),
+                   fmax(growth_error(w, from, whole, half, both),
                         fmax(edge_error(w, from, half), edge_error(w, half, both)));
     const double apart = difference(scale, before, whole, both, both->apart);
     both->energy += (both->energy - whole->energy) / 3;

@@ -79,10 +79,11 @@ void rw_step_rates(const rw_work *work, rw_scaled_loads from, rw_scaled_loads to
 bool rw_step_zones(rw_work *work, const rw_numerical_state *from, rw_scaled_loads to,
                    const rw_zones *guess, bool by_grid, rw_patch *contact, rw_zones *zones);
 
-/* `from` and `there` were reached from one state, half-way and as a whole, under constant P and M.
+/* `from` and `there` were reached from `begun`, half-way and as a whole, under constant P and M.
  * Whether the step from the one to the other has the end `there` too: then the whole is exact, and
  * its energy is set to the sum of both halves. */
-bool rw_step_goes_on(rw_work *work, const rw_numerical_state *from, rw_numerical_state *there);
+bool rw_step_goes_on(rw_work *work, const rw_numerical_state *begun, const rw_numerical_state *from,
+                     rw_numerical_state *there);
 
 /* Compares both halves of a step, the first of which ends at `half`, with the step as a whole. The
  * difference bounds the error of the halves, which is noted there. Returns it, or that of the

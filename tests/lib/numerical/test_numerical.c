@@ -277,11 +277,11 @@ static rw_zones comb(rw_patch contact, int count, double from)
     return z;
 }
 
-static bool goes_on_with(rw_work *w, const rw_numerical_state *half, rw_numerical_state whole,
+static bool goes_on_with(pair *c, const rw_numerical_state *half, rw_numerical_state whole,
                          const rw_zones *zones)
 {
     whole.shear.zones = *zones;
-    return rw_step_goes_on(w, half, &whole);
+    return rw_step_goes_on(&c->work, &c->numerical->now, half, &whole);
 }
 
 /* A front that stays behind the other, and more zones than have fronts, end no second half. */
@@ -300,9 +300,9 @@ CLAIM(a_step_goes_on_to_the_right_zones_alone)
     rw_zones parts = comb((rw_patch){right.zone[1].left, right.zone[1].right}, 21, 0);
     rw_pattern_insert(&many, &parts, 0);
     assert_int_equal(many.count, 23);
-    assert_true(goes_on_with(&c->work, &half, whole, &right));
-    assert_false(goes_on_with(&c->work, &half, whole, &lame));
-    assert_false(goes_on_with(&c->work, &half, whole, &many));
+    assert_true(goes_on_with(c, &half, whole, &right));
+    assert_false(goes_on_with(c, &half, whole, &lame));
+    assert_false(goes_on_with(c, &half, whole, &many));
     rw_traction_destroy(&half.shear.traction);
     rw_traction_destroy(&whole.shear.traction);
 }

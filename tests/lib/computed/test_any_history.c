@@ -443,7 +443,9 @@ CLAIM(a_load_that_takes_much_effort_keeps_its_tolerance)
     apply(contact, last.P, last.M, last.Q, last.sigma);
     assert_ok(try_parts(parts, last, 6, NULL));
     assert_within(rwedge_contact_error(contact), 0, tolerance);
-    assert_same_shear(contact, parts, 10 * tolerance * f * -pressure(contact, 0)); /* at fronts */
+    /* next to fronts q is like a root */
+    /* next to fronts q is like a root */
+    assert_same_shear(contact, parts, 10 * tolerance * f * -pressure(contact, 0));
 }
 
 /* A number takes so many cycles. Where it sticks each load added to the error: 0.05 after 40

@@ -427,8 +427,8 @@ CLAIM(a_cycle_whose_fronts_were_not_found_yields_no_earlier)
     assert_within(rwedge_contact_error(contact), 0, 1e-4);
 }
 
-/* The effort was spent before a short last part had fronts: it had the grid's answer, which erred by
- * 3 to 10 times the tolerance. */
+/* The effort was spent before a short last part had fronts: it had the grid's answer, which erred
+ * by 3 to 10 times the tolerance. */
 CLAIM(a_load_that_takes_much_effort_keeps_its_tolerance)
 {
     const double f = 0.630578, x[] = {-1.2, -0.4, 0.1, 0.5, 1},

@@ -205,10 +205,19 @@ def test_a_constant_that_the_material_lacks_is_named(pad):
     with pytest.raises(rwedge.Error, match="the material has no sf"):
         cycle.damage({"E": E, "nu": NU})
     assert set(cycle.damage(METAL).cycles.ravel()) <= {0, 1} and np.isinf(cycle.life({**METAL, "swt_limit": 1e9})).all()
-    with pytest.raises(rwedge.Error, match="must be one of swt, fatemi-socie"):
+    with pytest.raises(rwedge.Error, match="must be one of swt, fatemi_socie$"):
         cycle.damage(METAL, "findley")
     with pytest.raises(rwedge.Error, match="the material has no lambda"):
         cycle.modified_wohler({"nu": NU, "kappa": 30})
+
+
+def test_a_criterion_has_one_name_in_all_methods(pad):
+    cycle = pad.stresses_after({"Q": Q}, X, 0)
+    metal = {**METAL, "yield_stress": 500, "G": 62e3, "tf": 300, "b0": -0.08, "gf": 1, "c0": -0.6}
+    for method in cycle.damage, cycle.life, cycle.criterion:
+        assert np.array_equal(method(metal, "fatemi_socie"), method(metal, "fatemi-socie"))
+    with pytest.raises(TypeError, match="material is the text 'steel': it must be a dict of constants"):
+        cycle.life("steel")
 
 
 @pytest.mark.parametrize("wrong, message", [

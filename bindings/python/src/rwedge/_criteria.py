@@ -31,6 +31,14 @@ LIMITS = {library_function("criterion_limit")(i).decode() for i in NUMBERS.value
 KNOWN = {"name", "source", "units", "nu", "dK_th", "ds0", "paris_C", "paris_m", "K_c", *LIMITS, *(name for names in (*OWN.values(), *OF_DAMAGE.values()) for name in names)}
 
 
+def _numbered(criterion: str, among: Mapping[str, int]) -> int:
+    """The number of a name, also as the tool's options have it: "fatemi-socie"."""
+    name = criterion.replace("-", "_")
+    if name not in among:
+        raise Error(f"criterion = {criterion!r}: must be one of {', '.join(among)}", EDOMAIN)
+    return among[name]
+
+
 class Plane(NamedTuple):
     """A criterion and the plane where it is largest, at each point. The plane's normal is (cos(o) sin(a), cos(o) cos(a), sin(o))
     with a = angle, o = out_of_plane, rad."""
@@ -57,6 +65,8 @@ class Criteria:
 
     def _measured(self, function: str, number: int, material: Material, plane_stress: bool, names: tuple[str, ...]) -> Any:
         """rwedge_criterion() or rwedge_damage() at every point, by the constants of these names."""
+        if isinstance(material, str):
+            raise TypeError(f"material is the text {material!r}: it must be a dict of constants, such as that of read_case(material=...)")
         unknown = sorted(set(material) - KNOWN)
         if unknown:
             near = difflib.get_close_matches(unknown[0], KNOWN, 1)
@@ -100,9 +110,7 @@ class Criteria:
 
         Source: ``criterion``.
         """
-        number = NUMBERS.get(criterion, -1)
-        if number < 0 or library_function("criterion_unit")(number) not in (b"stress", b"none"):
-            raise Error(f"criterion = {criterion!r}: must be one of {', '.join(n for n, i in NUMBERS.items() if OWN[i])}", EDOMAIN)
+        number = _numbered(criterion, {name: i for name, i in NUMBERS.items() if library_function("criterion_unit")(i) in (b"stress", b"none")})
         return Plane(*self._measured("criterion", number, material, plane_stress, OWN[number]))
 
     def smith_watson_topper(self, material: Material, plane_stress: bool = False) -> Plane:
@@ -147,9 +155,9 @@ class Criteria:
         ----------
         material : mapping
             constants by name, as in the files of ``rwedge fretting --material``: ``E``, ``nu``, and for "swt" ``sf``, ``b``,
-            ``ef``, ``c``; for "fatemi-socie" ``yield_stress``, ``fs_k`` (1 where it is missing), ``G``, ``tf``, ``b0``, ``gf``,
+            ``ef``, ``c``; for "fatemi_socie" ``yield_stress``, ``fs_k`` (1 where it is missing), ``G``, ``tf``, ``b0``, ``gf``,
             ``c0``. Below ``swt_limit`` and ``fs_limit``, where they are given, a cycle does no damage
-        criterion : {"swt", "fatemi-socie"}
+        criterion : {"swt", "fatemi_socie"}
             which counts
         plane_stress : bool
             plane stress; plane strain otherwise
@@ -166,10 +174,8 @@ class Criteria:
         >>> float(stresses.damage(metal).cycles)
         2.0
         """
-        laws = {name.replace("_", "-"): number for name, number in NUMBERS.items() if OF_DAMAGE[number]}
-        if criterion not in laws:
-            raise Error(f"criterion = {criterion!r}: must be one of {', '.join(laws)}", EDOMAIN)
-        number = laws[criterion]
+        laws = {name: number for name, number in NUMBERS.items() if OF_DAMAGE[number]}
+        number = _numbered(criterion, laws)
         value, cycles, plane = self._measured("damage", number, material, plane_stress, OF_DAMAGE[number])
         return Damage(value, cycles, plane[..., 0], plane[..., 1])
 

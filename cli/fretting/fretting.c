@@ -17,7 +17,9 @@ static const struct poptOption options[] = {
      "Write a verdict for each criterion at its worst place, in place of the rows", NULL},
     {INCLUDED(series_option_table), NULL, NULL},
     {VALUE("angle", OPTION_ANGLE),
-     "Of that way, from the surface's normal towards +x, -85 to 85 deg (default 0)", "NUMBER"},
+     "Direction of the critical distance, from the surface's normal towards +x, -85 to 85 deg "
+     "(default 0)",
+     "NUMBER"},
     {FLAG("full-wear", OPTION_FULL_WEAR),
      "Add what is worn off where wear ends; of a cycle of Q alone", NULL},
     {THREADS_OPTION},

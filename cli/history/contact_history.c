@@ -15,7 +15,8 @@ struct poptOption history_option_table[] = {
      "TOL"},
     {VALUE("specimen-thickness", OPTION_SPECIMEN_THICKNESS),
      "Body 1 is so thick, on a base without friction; P is constant", "LENGTH"},
-    {FLAG("opposite", OPTION_OPPOSITE), "and lies between two opposite pads", NULL},
+    {FLAG("opposite", OPTION_OPPOSITE), "Beside the thickness: it lies between two opposite pads",
+     NULL},
     POPT_TABLEEND,
 };
 

@@ -39,6 +39,14 @@ def _numbered(criterion: str, among: Mapping[str, int]) -> int:
     return among[name]
 
 
+def _mind_units(number: int, constants: Mapping[str, float]) -> None:
+    """E is a hundred times such a stress or more in metals: below ten times it is in another unit. The tool refuses it too."""
+    for j, (name, value) in enumerate(constants.items()):
+        if name not in ("E", "G") and library_function("constant_unit")(number, j) == b"stress" and value * 10 > constants.get("E", math.inf):
+            raise Error(f"the material has E = {constants['E']:g}, less than ten times {name} = {value:g}: is it in GPa? One unit for both is "
+                        "needed", EDOMAIN)
+
+
 class Plane(NamedTuple):
     """A criterion and the plane where it is largest, at each point. The plane's normal is (cos(o) sin(a), cos(o) cos(a), sin(o))
     with a = angle, o = out_of_plane, rad."""
@@ -73,6 +81,7 @@ class Criteria:
             hint = f": did you mean {near[0]}?" if near else f"; known are {', '.join(sorted(KNOWN - {'1', ''}))}"
             raise Error(f"the material has {unknown[0]}, which is no constant that is known{hint}", EDOMAIN)
         constants = [self._constant(material, number, j, name) for j, name in enumerate(names)]
+        _mind_units(number, dict(zip(names, constants)))
         nu = real("nu", material["nu"]) if "nu" in material else self._missing("nu")
         errors: Any = {"invalid": "ignore"} if np.isnan(self.stress).any() else {}
         with np.errstate(**errors):

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 #include "model.h"
 
+#include <ctype.h>
 #include <math.h>
 #include <stdio.h>
 #include <string.h>
@@ -112,6 +113,16 @@ void input_set(input_texts *texts, int input, double value)
     texts->has_number[other] = false;
 }
 
+/* What stands behind a number where a unit would; "" where nothing that looks like one does. */
+static const char *unit_like(const char *text)
+{
+    const char *number = text + strspn(text, " \t+-");
+    const size_t digits = strspn(number, "0123456789.");
+    const char *rest = number + digits + strspn(number + digits, " \t");
+    const bool is_word = isalpha((unsigned char)rest[0]) && isalpha((unsigned char)rest[1]);
+    return digits > 0 && is_word ? rest : "";
+}
+
 /* Adds what the commonest mistakes need. */
 static void add_hint(const input_texts *texts, int input, complaint *why)
 {
@@ -124,6 +135,9 @@ static void add_hint(const input_texts *texts, int input, complaint *why)
     else if (!comma && strchr(text, ',') != NULL)
         list_add(why->text, sizeof why->text, "; ", "the decimal sign is a point%s%s",
                  is_cell ? ", or a comma " : "", is_cell ? texts->how_comma : "");
+    else if (unit_like(text)[0] != '\0')
+        list_add(why->text, sizeof why->text, "; ", "'%.20s' is no unit that is known",
+                 unit_like(text));
 }
 
 static bool is_in(double value, const input_kind *kind)

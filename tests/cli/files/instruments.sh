@@ -33,6 +33,8 @@ clean p_um.csv --units mm,N,MPa --column 'x=x (um)' --column 'height=height (um)
 clean p_down.csv --heights down
 clean start0_L2.csv --origin lowest
 clean start0_L10.csv --origin lowest
+run solve --E1 '210 Gpa' --nu1 0.3 --radius 1 --P 1 --units mm,N,MPa
+message_is "rwedge solve: --E1 210 Gpa: Young's modulus of body 1 must be a number above 0; 'Gpa' is no unit that is known"
 run solve --E1 '210 GPa' --nu1 0.3 --P '500 N/mm' --units mm,N,MPa --profile "$rig/p_ok.csv"
 is_hertz "units of options" 1e-12
 run solve $steel --profile "$rig/p_comment.csv"

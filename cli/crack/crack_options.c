@@ -124,7 +124,7 @@ static void read_angles(const arguments *line, crack_plan *plan)
                                  : "0",
                  &plan->angles);
     if (!range_within(&plan->angles, -75, 75, &outside))
-        usage_error("--angle%s %s: must not have %g; allowed: -75 to 75",
+        usage_error("--angle%s %s: %g is outside -75 to 75 degrees",
                     plan->has_angles ? "-range" : "", several != NULL ? several : one, outside);
     if (one != NULL && plan->angles.count != 1)
         usage_error("--angle %s: must be one number; several are --angle-range", one);

@@ -118,7 +118,7 @@ refuses "--to: missing; --lengths, or --from and --to, are needed" crack cycle.c
 refuses "--lengths 2,1: must ascend, and be 1e-60 to 1e60" crack cycle.csv $hertz --lengths 2,1
 refuses "--edge: given together with --x; one of --edge left, --edge right and --x NUMBER is needed" crack cycle.csv $hertz --lengths 1 --x 1
 refuses "--edge middle: must be left or right" crack cycle.csv --E1 72100 --nu1 0 --radius 60 --f 0.6 --load 120,0 --load 120,0,50,60 --lengths 1 --edge middle
-refuses "--angle 80: must not have 80; allowed: -75 to 75" crack cycle.csv $hertz --lengths 1 --angle 80
+refuses "--angle 80: 80 is outside -75 to 75 degrees" crack cycle.csv $hertz --lengths 1 --angle 80
 refuses "--shear all: must be none, locked or free" crack cycle.csv $hertz --lengths 1 --shear all
 refuses "--verdict: needs --dK-th, or --C and --m" crack cycle.csv $hertz --from 1 --to 2 --verdict
 

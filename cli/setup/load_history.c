@@ -71,10 +71,12 @@ void history_check(const arguments *line)
         usage_error("--encoding %s: needs --history or --profile", encoding);
     for (int i = INPUT_P; i <= INPUT_SIGMA && history_is_given(line); i++)
         if (line->value[OPTION_INPUT + i] != NULL)
-            usage_error("%s %s: given together with --%s, which has the loads; allowed: one of the "
+            usage_error("%s %s: given together with %s, which has the loads; allowed: one of the "
                         "two",
                         input_kinds[i].flag, line->value[OPTION_INPUT + i],
-                        history_file(line) == NULL ? "load" : "history");
+                        history_file(line) == NULL            ? "--load"
+                        : line->value[OPTION_HISTORY] != NULL ? "--history"
+                                                              : history_file(line));
 }
 
 /* ---- The rig ---- */

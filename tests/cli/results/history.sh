@@ -125,7 +125,7 @@ run history --E1 74100 --nu1 0.33 --theta 0.1 --radius 178 --f 0.65 --yield-stre
 message_has "a load yields the body: its stresses exceed the yield stress"
 same "no word of P_yield" "" "$(grep P_yield err)"
 
-refuses "--P 3: given together with --history, which has the loads; allowed: one of the two" history loads.csv $specimen --P 3
+refuses "--P 3: given together with loads.csv, which has the loads; allowed: one of the two" history loads.csv $specimen --P 3
 refuses "missing: --f; friction has no default here" history loads.csv --E1 1 --nu1 0 --theta 0.1 --a 1
 refuses "--at 1,-1: y is a depth, and must not be below 0" history loads.csv $specimen --at 1,-1
 refuses "--at 1;2: must be points x,y separated by semicolons" history loads.csv $specimen --at '1;2'

@@ -357,8 +357,17 @@ double rw_rates_excess_at_start(rw_fronts *f, const rw_problem *p, const rw_zone
     return most;
 }
 
-/* The largest excess at a place of a part, if it begins with its rate, is -room at the end of the
- * step, and is quadratic in time. */
+/* The largest excess at a place, if it begins with a rate and is quadratic in time: it is -room at
+ * the end of the step, or 0 when the contact leaves the place. */
+static double passing_excess(const rw_problem *p, double x, double rate, rw_patch contact,
+                             double room)
+{
+    const double edge = x < contact.left ? p->to.left : p->to.right,
+                 to = x < contact.left ? contact.left : contact.right;
+    return rw_patch_has(contact, x) ? rate * rate / (4 * (rate + fmax(0, room)))
+                                    : rate / 4 * (edge - x) / (edge - to);
+}
+
 static double passing_excess_in(rw_fronts *f, const rw_problem *p, const rw_zones *begun,
                                 rw_zone part, rw_patch contact, const rw_traction *end)
 {
@@ -367,12 +376,10 @@ static double passing_excess_in(rw_fronts *f, const rw_problem *p, const rw_zone
     if (!excess_in(f, p, begun, part, x, step, rate))
         return 0;
     rw_exact_frictions(p->frame, contact, RW_RATE_POINTS, x, F);
-    for (int i = 0; i < RW_RATE_POINTS; i++) {
-        if (!rw_patch_has(contact, x[i]) || rate[i] == 0)
-            continue;
-        const double room = fmax(0, F[i] - part.label * rw_traction_at(end, x[i]));
-        most = fmax(most, rate[i] * rate[i] / (4 * (rate[i] + room)));
-    }
+    for (int i = 0; i < RW_RATE_POINTS; i++)
+        if (rate[i] > 0)
+            most = fmax(most, passing_excess(p, x[i], rate[i], contact,
+                                             F[i] - part.label * rw_traction_at(end, x[i])));
     return most;
 }
 

@@ -199,7 +199,7 @@ static int loop(const arguments *line)
     compute(&job);
     output_options_write(&how, write_rows, &job);
     unused_say(&job.log.names, job.log.name);
-    notice("%s: left of Q: %.4g, the root of its mean square, %.2g %% of its largest", job.log.name,
+    notice("%s: left of Q: %.4g, the root of its mean square, %.3g %% of its largest", job.log.name,
            job.fit[0].noise, 100 * job.fit[0].noise / largest_Q(&job));
     for (size_t i = 0; i < job.fits; i++)
         free(job.fit[i].Q);

@@ -163,19 +163,27 @@ doubts doubts_of_state(const contact_case *setup, const rwedge_contact *contact)
     return doubts_of_factor(setup, contact, factor);
 }
 
+/* A part in percent, with two digits, or all that stand before the point. */
+static const char *percent(double part, char text[NUMBER_SIZE])
+{
+    snprintf(text, NUMBER_SIZE, fabs(part) < 0.995 ? "%.2g" : "%.0f", 100 * fabs(part));
+    return text;
+}
+
 /* "unlike bodies: the contact swings by 3.1 % of b to the trailing edge, and ..." */
 static bool write_coupling(coupling of, char text[DOUBT_SIZE])
 {
     const bool swings = fabs(of.swing) >= COUPLING_LEAST,
                has_tension = fabs(of.tension) >= COUPLING_LEAST;
+    char part[NUMBER_SIZE];
     snprintf(text, DOUBT_SIZE, "unlike bodies: ");
     if (swings)
-        list_add(text, DOUBT_SIZE, "", "the contact swings by %.2g %% of b to the %s edge",
-                 100 * fabs(of.swing), of.swing < 0 ? "trailing" : "leading");
+        list_add(text, DOUBT_SIZE, "", "the contact swings by %s %% of b to the %s edge",
+                 percent(of.swing, part), of.swing < 0 ? "trailing" : "leading");
     if (has_tension)
         list_add(text, DOUBT_SIZE, swings ? ", and " : "",
-                 "the tension beside the trailing %s is %.2g %% %s that of similar bodies",
-                 swings ? "one" : "edge", 100 * fabs(of.tension),
+                 "the tension beside the trailing %s is %s %% %s that of similar bodies",
+                 swings ? "one" : "edge", percent(of.tension, part),
                  of.tension < 0 ? "below" : "above");
     return swings || has_tension;
 }

@@ -141,6 +141,11 @@ refuses "--load 300,199.5,0,0: an iteration did not converge: the first load of 
 alone first, then the rest" history $wedge --load 300,199.5,0,0
 does history $wedge --load 300,0 --load 300,199.5,0,0
 
+# Percent above a hundred have all their digits.
+does solve --E1 2e5 --nu1 0.3 --E2 inf --radius 10 --P 100 --f 0.3 --Q 5 --rotation free
+message_has "the tension beside the trailing one is 1"
+same "a power of ten in percent" 0 "$(grep -c 'e+02 %' err)"
+
 # A case keeps both.
 does solve $cylinder --P 1 --Q .5 --f .5 --rotation free --save-case case.json
 cp out free

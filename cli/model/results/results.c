@@ -308,6 +308,11 @@ static bool compute(const contact_case *setup, double b, results *answer, compla
     int32_t status = results_of_state(setup, row);
     if (status == RWEDGE_OK && slides_centred && !is_formula)
         status = results_of_sliding(setup, row);
+    if (status == RWEDGE_ENOCONV && status == setup->status) {
+        const load to = {.P = setup->P, .M = setup->M, .Q = setup->Q, .sigma = setup->sigma};
+        return complain(why, "the loads: %s",
+                        loads_fault(status, to, setup->f, setup->contact).why.text);
+    }
     if (status != RWEDGE_OK)
         return complain(why, "left: %s",
                         status == RWEDGE_ERANGE && setup->shape.kind != PAD_WEDGE

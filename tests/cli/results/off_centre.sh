@@ -234,6 +234,7 @@ M 1e30: must be below 6.4e+10 in magnitude: more lays a flank on the surface" \
 # (the search for the largest moment did not end where none is allowed)
 refuses "--M 2e39: must be 0: any other lays a flank on the surface" \
     solve --E1 1e-10 --nu1 0.3 --theta 0.01 --a 0 --P 2e-60 --f 0.5 --M 2e39
+cannot "the loads: an iteration did not converge: smaller loads may go" solve $specimen --P 100 --sigma 1e30
 refuses "--M 1x: the moment must be a number" solve $specimen --P 100 --M 1x
 refuses "--sigma inf: the bulk tension must be a number" solve $specimen --P 100 --sigma inf
 refuses "missing: --f; friction has no default where Q, sigma or a yield stress is given" \

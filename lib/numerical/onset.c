@@ -15,7 +15,7 @@ typedef struct {
     rw_zones sticking; /* the zones at the end, but these edges stick */
     rw_zones begun;    /* the same of those at the beginning */
     bool begins[2];    /* at the left, right edge */
-    double at_start;   /* |D| - 1 there */
+    double excess[2];  /* |D| - 1 there at the start */
 } onset;
 
 static int label_at_edge(const rw_zones *zones, int side)
@@ -79,7 +79,8 @@ static double excess_at_end(const onset *o, int side)
 /* Finds the onset by regula falsi (Illinois), whose values beyond it may be no more than a sign. */
 static double find(const onset *o)
 {
-    double low = 0, high = 1, at_low = o->at_start, at_high = 1;
+    double low = 0, high = 1, at_high = 1;
+    double at_low = fmax(o->begins[0] ? o->excess[0] : -1, o->begins[1] ? o->excess[1] : -1);
     for (int turn = 0; turn < RW_ONSET_TURNS && high - low > RW_ONSET_EXACT; turn++) {
         const double guess = turn == 0 ? 0.5 : low + at_low / (at_low - at_high) * (high - low);
         const double part = fmax(low + 0.1 * (high - low), fmin(high - 0.1 * (high - low), guess));
@@ -150,24 +151,35 @@ static void look_at_edge(onset *o, int side, double allowed)
               after = label_at_edge(&o->there->shear.zones, side);
     const bool should_slip = after == 0 && o->there->end_error > allowed;
     const bool slips = after != 0 ? after != before : should_slip && excess_at_end(o, side) > 0;
-    const double excess =
-        slips && grows_at(o->from, o->there, side) ? excess_at_start(o, side) : NAN;
-    if (!(excess < -RW_ONSET_CLOSE))
-        return;
-    o->begins[side] = true;
-    o->at_start = fmax(o->at_start, excess);
-    o->sticking = sticking_at(&o->sticking, side);
-    o->begun = sticking_at(&o->begun, side);
+    o->excess[side] = slips && grows_at(o->from, o->there, side) ? excess_at_start(o, side) : NAN;
+    o->begins[side] = isless(o->excess[side], -RW_ONSET_CLOSE);
+}
+
+/* The first onset at the edges that are noted; 1 where there is none, or none is found. */
+static double first_of(onset *o)
+{
+    o->sticking = o->there->shear.zones;
+    o->begun = o->from->shear.zones;
+    for (int side = 0; side < 2; side++)
+        if (o->begins[side]) {
+            o->sticking = sticking_at(&o->sticking, side);
+            o->begun = sticking_at(&o->begun, side);
+        }
+    return o->begins[0] || o->begins[1] ? find(o) : 1;
 }
 
 double rw_onset_of_slip(rw_work *w, const rw_numerical_state *from, const rw_numerical_state *there)
 {
     const double allowed = RW_ALLOWED * w->frame->tolerance;
     const bool grows = grows_at(from, there, 0) || grows_at(from, there, 1);
-    onset o = {w, from, there, there->shear.zones, from->shear.zones, {false, false}, -1};
+    onset o = {.work = w, .from = from, .there = there};
     for (int side = 0; side < 2 && grows; side++)
         look_at_edge(&o, side, allowed);
-    double first = o.begins[0] || o.begins[1] ? find(&o) : 1;
+    double first = first_of(&o);
+    if (first <= RW_ONSET_NEAREST && o.begins[0] && o.begins[1]) {
+        o.begins[o.excess[0] < o.excess[1]] = false; /* at once; the other one may be later */
+        first = first_of(&o);
+    }
     if (grows && first == 1 && there->start_error <= allowed && there->end_error > allowed)
         first = end_of_slip(w, from, there, allowed);
     return first > RW_ONSET_NEAREST && first < 1 - RW_ONSET_NEAREST ? first : 1;

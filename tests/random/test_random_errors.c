@@ -641,16 +641,28 @@ static const struct {
            {0.20504067907190635, 0.01988206872045177, -0.054360013058014231, 0.0021005139228145639},
            {0.23348474351350448, 0.0029275650018746116, 0.017945573388199545,
             0.10270708888458858}}}},
+    {4.1,
+     1,
+     {.pad = WEDGE,
+      .loads = 3,
+      .f = 0.45807296030653444,
+      .tolerance = 0.01,
+      .load = {{4.724773930467868, 0, 0, 0},
+               {8.7545507687965891, -3.3007736786558608, 0.47982952415518065, 0.33165606116317803},
+               {14.041006650965638, -3.3007736786558608, -0.64489434754080899, 0.48049271442508934},
+               {23.485186045638169, -3.3007736786558608, -0.65247381876530552,
+                -0.16048472081174997}}}},
 };
 
-/* A contact grows, and slip begins at one edge: D at the other one takes another course from then
- * on. Or it grows so much that D half-way is not what the step took it for. Or a step of constant P
- * ends with slip that has gone too far, and the next one, exact in itself, sticks there. Or a front
- * comes to lie beside a kink of the profile, where friction rises with no end to its slope.
- * Or an edge passes a kink, and is slow from then on. Or slip begins inside, and then at an edge.
- * Or a grid sees slip at an edge that goes on sticking. Or slip goes on at first, and has ended in
- * all places half-way. Or a zone that sticks, next to a long one that slips, is so narrow that the
- * quadrature over that one is off. */
+/* A contact grows, and slip begins at one edge: D at the other one takes another course from
+ * then on. Or it grows so much that D half-way is not what the step took it for. Or a step of
+ * constant P ends with slip that has gone too far, and the next one, exact in itself, sticks
+ * there. Or a front comes to lie beside a kink of the profile, where friction rises with no end
+ * to its slope. Or an edge passes a kink, and is slow from then on. Or slip begins inside, and
+ * then at an edge. Or a grid sees slip at an edge that goes on sticking. Or slip goes on at
+ * first, and has ended in all places half-way. Or a zone that sticks, next to a long one that
+ * slips, is so narrow that the quadrature over that one is off. Or slip begins at one edge at
+ * once, and later at the other one. */
 CLAIM(errors_that_were_told_too_small)
 {
     for (size_t i = 0; i < sizeof found / sizeof *found; i++) {

@@ -145,13 +145,13 @@ static bool grows_at(const rw_numerical_state *from, const rw_numerical_state *t
 
 /* Notes an edge at which slip begins within the step: it slips at the end, in another way than
  * before, or it should. */
-static void look_at_edge(onset *o, int side, double allowed)
+static void look_at_edge(onset *o, int side)
 {
     const int before = label_at_edge(&o->from->shear.zones, side),
               after = label_at_edge(&o->there->shear.zones, side);
-    const bool should_slip = after == 0 && o->there->end_error > allowed;
-    const bool slips = after != 0 ? after != before : should_slip && excess_at_end(o, side) > 0;
-    o->excess[side] = slips && grows_at(o->from, o->there, side) ? excess_at_start(o, side) : NAN;
+    const bool grows = grows_at(o->from, o->there, side);
+    const bool slips = grows && (after != 0 ? after != before : excess_at_end(o, side) > 0);
+    o->excess[side] = slips ? excess_at_start(o, side) : NAN;
     o->begins[side] = isless(o->excess[side], -RW_ONSET_CLOSE);
 }
 
@@ -174,7 +174,7 @@ double rw_onset_of_slip(rw_work *w, const rw_numerical_state *from, const rw_num
     const bool grows = grows_at(from, there, 0) || grows_at(from, there, 1);
     onset o = {.work = w, .from = from, .there = there};
     for (int side = 0; side < 2 && grows; side++)
-        look_at_edge(&o, side, allowed);
+        look_at_edge(&o, side);
     double first = first_of(&o);
     if (first <= RW_ONSET_NEAREST && o.begins[0] && o.begins[1]) {
         o.begins[o.excess[0] < o.excess[1]] = false; /* at once; the other one may be later */

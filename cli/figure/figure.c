@@ -31,7 +31,7 @@ typedef char options_have_room[(int)OPTION_OVER < (int)OPTION_LIMIT ? 1 : -1];
  * anyway. */
 static struct poptOption history_figure_option_table[] = {
     {INCLUDED(shape_option_table), NULL, NULL},
-    {HULL_OPTION},
+    {INCLUDED(heights_option_table), NULL, NULL},
     {INCLUDED(history_option_table), NULL, NULL},
     {VALUE("at", OPTION_AT), "The point of figure history", "x,y"},
     {PLANE_STRESS_OPTION},

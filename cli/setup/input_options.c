@@ -4,16 +4,21 @@
 #include <math.h>
 #include <string.h>
 
-enum { OTHER_OPTIONS = 13, CONTACT_INPUTS = INPUT_K };
+enum { OTHER_OPTIONS = 10, CONTACT_INPUTS = INPUT_K };
 
-struct poptOption input_option_table[CONTACT_INPUTS + OTHER_OPTIONS + 1] = {
-    [CONTACT_INPUTS] = {HULL_OPTION},
+struct poptOption heights_option_table[] = {
+    {FLAG("hull", OPTION_HULL), "Take the convex hull of the heights of a profile", NULL},
     {FLAG("fit", OPTION_FIT),
      "Fit the heights of a profile: the convex profile nearest to them in least squares", NULL},
     {VALUE("heights", OPTION_HEIGHTS), "Which way the heights of a profile point (default up)",
      "up|down"},
     {VALUE("origin", OPTION_ORIGIN),
      "Where x is 0, which P passes through: as in the profile, or at its lowest place", "lowest"},
+    POPT_TABLEEND,
+};
+
+struct poptOption input_option_table[CONTACT_INPUTS + OTHER_OPTIONS + 1] = {
+    [CONTACT_INPUTS] = {INCLUDED(heights_option_table), NULL, NULL},
     {PLANE_STRESS_OPTION},
     {ROTATION_OPTION},
     {SIMILAR_OPTION},

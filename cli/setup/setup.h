@@ -44,10 +44,6 @@ enum {
     OPTION_AFTER_INPUTS
 };
 
-#define HULL_OPTION                                                                                \
-    "hull", '\0', POPT_ARG_NONE, NULL, OPTION_HULL,                                                \
-        "Take the convex hull of the heights of a profile", NULL
-
 #define MATERIAL_OPTION                                                                            \
     "material", '\0', POPT_ARG_STRING, NULL, OPTION_MATERIAL,                                      \
         "Constants of body 1: of \"rwedge materials\", of a JSON or CSV file, or {...}", "FILE"
@@ -64,10 +60,11 @@ enum {
     "K-in", '\0', POPT_ARG_STRING, NULL, OPTION_K_IN,                                              \
         "Unit of length in constants of K that have no unit: m as in MPa sqrt(m)", "m|mm"
 
-/* Tables to include: the contact and its loads; its strength; bodies and shape but for nu1; how
- * loads without a closed form are taken. Only the last is filled before input_options_prepare(). */
+/* Tables to include: the contact and its loads; its strength; bodies and shape but for nu1; how the
+ * heights of a profile are taken; how loads without a closed form are taken. Only the last two are
+ * filled before input_options_prepare(). */
 extern struct poptOption input_option_table[], strength_option_table[], shape_option_table[],
-    exactness_option_table[];
+    heights_option_table[], exactness_option_table[];
 
 /* The head of the table of a command that asks a loaded contact. */
 #define CONTACT_OPTIONS                                                                            \

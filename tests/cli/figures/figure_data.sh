@@ -234,6 +234,13 @@ done
 refuses "--measure none: must be one of: stress_range, swt, fatemi_socie, slip_range, ruiz_f1, ruiz_f2, energy_per_area; or a criterion whose \
 constants are given" \
     figure measure --history loads.csv $specimen --measure none
+# A scan with noise, fitted as other commands fit it.
+awk 'BEGIN { print "x,height"; for (i = -100; i <= 100; i++) print i / 100 + 3 "," i * i / 1e6 + (i % 2 ? 1e-5 : -1e-5) }' >scan.csv
+scan="--E1 210000 --nu1 0.3 --f 0.3 --profile scan.csv --fit --origin lowest"
+does solve $scan --load 100,0 --layout row
+left=$(cell left 1)
+does figure contact $scan --load 100,0 --data
+close_to "the contact of a scan that is fitted" "$left" "$(awk -F, 'NR > 1 && $2 == 0 { print $1; exit }' out)" 0.05
 refuses "figure contact: loads are missing; needed: --history, a file with the columns P and Q, perhaps M or tilt, sigma; or --load \
 P,Q for each" figure contact $specimen
 refuses "--over field: slip_range is of the surface alone" figure measure --history loads.csv $specimen --measure slip_range --over field

@@ -15,7 +15,7 @@
  * Each history has a seed of its own, SEED and those after it. A load that does not converge, or
  * takes longer than LONGEST, is told with the command that follows its history alone.
  *
- * The claim fails if more than one load in 100,000 does not converge, or if one takes more than
+ * The claim fails if more than one load in 10,000 does not converge, or if one takes more than
  * LONGEST seconds of the processor. Whether the error that is told is honest: test_random_errors.c.
  * What else a computed shear obeys: ../lib/contact/test_shear_laws.c. */
 #include "computed/computed_load.h"
@@ -26,7 +26,7 @@
 #include <time.h>
 
 enum { STEPS, STEPS_OF_P, STEPS_OF_ALL, LOG, KINDS };
-enum { LOADS = 24, POINTS = 41, LOADS_PER_UNSOLVED = 100000 };
+enum { LOADS = 24, POINTS = 41, LOADS_PER_UNSOLVED = 10000 };
 
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__) || !defined(__OPTIMIZE__)
 static const double LONGEST = 200;

@@ -359,8 +359,8 @@ double rw_rates_excess_at_start(rw_fronts *f, const rw_problem *p, const rw_zone
 
 /* The largest excess at a place, if it begins with a rate and is quadratic in time: it is -room at
  * the end of the step, or 0 when the contact leaves the place. */
-static double passing_excess(const rw_problem *p, double x, double rate, rw_patch contact,
-                             double room)
+static double lingering_excess(const rw_problem *p, double x, double rate, rw_patch contact,
+                               double room)
 {
     const double edge = x < contact.left ? p->to.left : p->to.right,
                  to = x < contact.left ? contact.left : contact.right;
@@ -368,8 +368,8 @@ static double passing_excess(const rw_problem *p, double x, double rate, rw_patc
                                     : rate / 4 * (edge - x) / (edge - to);
 }
 
-static double passing_excess_in(rw_fronts *f, const rw_problem *p, const rw_zones *begun,
-                                rw_zone part, rw_patch contact, const rw_traction *end)
+static double lingering_excess_in(rw_fronts *f, const rw_problem *p, const rw_zones *begun,
+                                  rw_zone part, rw_patch contact, const rw_traction *end)
 {
     double x[RW_RATE_POINTS], step[RW_RATE_POINTS], rate[RW_RATE_POINTS], F[RW_RATE_POINTS];
     double most = 0;
@@ -378,14 +378,14 @@ static double passing_excess_in(rw_fronts *f, const rw_problem *p, const rw_zone
     rw_exact_frictions(p->frame, contact, RW_RATE_POINTS, x, F);
     for (int i = 0; i < RW_RATE_POINTS; i++)
         if (rate[i] > 0)
-            most = fmax(most, passing_excess(p, x[i], rate[i], contact,
-                                             F[i] - part.label * rw_traction_at(end, x[i])));
+            most = fmax(most, lingering_excess(p, x[i], rate[i], contact,
+                                               F[i] - part.label * rw_traction_at(end, x[i])));
     return most;
 }
 
-double rw_rates_passing_excess(rw_fronts *f, const rw_problem *p, const rw_zones *old,
-                               const rw_zones *after, double least, rw_patch contact,
-                               const rw_traction *end)
+double rw_rates_lingering_excess(rw_fronts *f, const rw_problem *p, const rw_zones *old,
+                                 const rw_zones *after, double least, rw_patch contact,
+                                 const rw_traction *end)
 {
     rw_zones begun = common_slip(old, after);
     rw_zone parts[2 * RW_MOST_ZONES];
@@ -394,7 +394,7 @@ double rw_rates_passing_excess(rw_fronts *f, const rw_problem *p, const rw_zones
     const int count = stopped_parts(old, &begun, least, parts);
     double most = 0;
     for (int i = 0; i < count; i++)
-        most = fmax(most, passing_excess_in(f, p, &begun, parts[i], contact, end));
+        most = fmax(most, lingering_excess_in(f, p, &begun, parts[i], contact, end));
     return most;
 }
 

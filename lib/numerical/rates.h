@@ -37,12 +37,12 @@ double rw_rates_error_at_start(rw_fronts *fronts, const rw_problem *rates, const
 double rw_rates_excess_at_start(rw_fronts *fronts, const rw_problem *rates, const rw_zones *old,
                                 const rw_zones *after, double least);
 
-/* The largest traction beyond friction in passing: of what slips before a step and sticks after it,
- * if it sticks from the beginning. `contact` and `end`: the contact and the traction after the
- * step. */
-double rw_rates_passing_excess(rw_fronts *fronts, const rw_problem *rates, const rw_zones *old,
-                               const rw_zones *after, double least, rw_patch contact,
-                               const rw_traction *end);
+/* Slip that lingers: the largest traction beyond friction within the step, of what slips before it
+ * and sticks after it, if it sticks from the beginning. `contact` and `end`: the contact and the
+ * traction after the step. */
+double rw_rates_lingering_excess(rw_fronts *fronts, const rw_problem *rates, const rw_zones *old,
+                                 const rw_zones *after, double least, rw_patch contact,
+                                 const rw_traction *end);
 
 /* The power of friction in zones that slip, in energy per step. NaN where it is not known. */
 double rw_rates_power(rw_fronts *fronts, const rw_problem *rates, const rw_zones *zones);

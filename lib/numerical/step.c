@@ -189,18 +189,18 @@ bool rw_step_zones(rw_work *w, const rw_numerical_state *from, rw_scaled_loads t
     return rw_search_zones(w, &p, guess, by_grid, zones);
 }
 
-/* Slip that goes on at first and ends within a step is not seen by the step, nor by its halves, if
- * it ends in the first of them. */
-static double passing_error(rw_work *w, const rw_numerical_state *from,
-                            const rw_numerical_state *there)
+/* Slip that lingers: it goes on at first and has ended in all places at the end of a step. The step
+ * does not see it, nor do its halves if it has ended half-way. */
+static double lingering_error(rw_work *w, const rw_numerical_state *from,
+                              const rw_numerical_state *there)
 {
     rw_problem rates;
     if (there->is_exact || w->frame->B != 0)
         return 0;
     rw_step_rates(w, from->at, there->at, from->contact, &rates);
-    return rw_rates_passing_excess(&w->fronts, &rates, &from->shear.zones, &there->shear.zones,
-                                   RW_ALLOWED * w->frame->tolerance * rates.half, there->contact,
-                                   &there->shear.traction) /
+    return rw_rates_lingering_excess(&w->fronts, &rates, &from->shear.zones, &there->shear.zones,
+                                     RW_ALLOWED * w->frame->tolerance * rates.half, there->contact,
+                                     &there->shear.traction) /
            rw_peak_of(w->frame, there);
 }
 
@@ -221,7 +221,7 @@ static bool is_nested(const rw_zones *inner, const rw_zones *outer, double slack
 bool rw_step_goes_on(rw_work *w, const rw_numerical_state *begun, const rw_numerical_state *from,
                      rw_numerical_state *there)
 {
-    const double passing = passing_error(w, begun, from);
+    const double lingering = lingering_error(w, begun, from);
     rw_problem p;
     rw_outcome outcome;
     if (w->frame->B != 0) /* the pressure changes */
@@ -229,7 +229,7 @@ bool rw_step_goes_on(rw_work *w, const rw_numerical_state *begun, const rw_numer
     if (!set_problem(w, from, there->at, there->contact, &p))
         return false;
     rw_fronts_forget(&w->fronts);
-    if (!p.is_still || fmax(passing, fmax(from->rate_error, there->rate_error)) > p.allowed ||
+    if (!p.is_still || fmax(lingering, fmax(from->rate_error, there->rate_error)) > p.allowed ||
         !is_nested(&there->shear.zones, &from->shear.zones, p.allowed * p.half) ||
         !rw_fronts_begin(&w->fronts, &p, &there->shear.zones, (double[2]){NAN, NAN}))
         return false;
@@ -237,7 +237,7 @@ bool rw_step_goes_on(rw_work *w, const rw_numerical_state *begun, const rw_numer
     if (outcome.violation > p.allowed)
         return false;
     there->energy = from->energy + outcome.energy;
-    there->error = fmax(passing, fmax(from->error, fmax(there->error, outcome.violation)));
+    there->error = fmax(lingering, fmax(from->error, fmax(there->error, outcome.violation)));
     return true;
 }
 
@@ -382,9 +382,10 @@ double rw_compare(rw_work *w, const rw_numerical_state *from, const rw_numerical
     const double scale = rw_peak_of(frame, whole);
     const double unit = scale * rw_patch_half_width(whole->contact);
     const double energy = (both->energy - whole->energy) / (unit * unit);
-    const bool may_pass = passing_error(w, from, whole) > 0;
-    both->error += half->error + half->rate_error + both->rate_error +
-                   (may_pass ? passing_error(w, from, half) + passing_error(w, half, both) : 0) +
+    const double lingering = lingering_error(w, from, whole) > 0
+                                 ? lingering_error(w, from, half) + lingering_error(w, half, both)
+                                 : 0;
+    both->error += half->error + half->rate_error + both->rate_error + lingering +
                    fmax(growth_error(w, from, whole, half, both),
                         fmax(edge_error(w, from, half), edge_error(w, half, both)));
     const double apart = difference(scale, before, whole, both, both->apart);

@@ -2,6 +2,7 @@
 /* "rwedge loop". */
 #include "loop.h"
 
+#include <float.h>
 #include <math.h>
 #include <stdlib.h>
 
@@ -182,7 +183,7 @@ static void read_plan(const arguments *line, output_options *how, plan *job)
     job->cycles = log_cycles_find(job->log.count, job->log.load, load_displacement);
 }
 
-/* Of the rows of the first fit. */
+/* The largest |Q| in the rows of the first fit. */
 static double largest_Q(const plan *job)
 {
     double largest = 0;
@@ -200,7 +201,7 @@ static int loop(const arguments *line)
     output_options_write(&how, write_rows, &job);
     unused_say(&job.log.names, job.log.name);
     notice("%s: left of Q: %.4g, the root of its mean square, %.3g %% of its largest", job.log.name,
-           job.fit[0].noise, 100 * job.fit[0].noise / largest_Q(&job));
+           job.fit[0].noise, 100 * job.fit[0].noise / fmax(DBL_MIN, largest_Q(&job)));
     for (size_t i = 0; i < job.fits; i++)
         free(job.fit[i].Q);
     free(job.fit);

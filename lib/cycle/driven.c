@@ -74,8 +74,8 @@ static bool is_pressed_alone(const rig *r)
            fabs(beyond_with(0, r)) <= NO_WAY * c->geometry.A * c->f * r->P;
 }
 
-/* A way that is lost in the rounding of displacements: it does not turn the bodies round. */
-static double no_way(const rig *r, double limit)
+/* The rounding of displacements: a way below it does not turn the bodies round. */
+static double rounding_of_way(const rig *r, double limit)
 {
     static const double ROUNDED = 1e-14;
     const double slid = r->contact->drive.slid;
@@ -98,7 +98,7 @@ static double find(const rig *r, double *slid)
         if (isnan(short_of) || (short_of > 0 && fabs(side[i].Q) < limit))
             return NAN;
         *slid = short_of > 0 ? -side[i].beyond : 0;
-        if (short_of >= -no_way(r, limit))
+        if (short_of >= -rounding_of_way(r, limit))
             return side[i].Q;
     }
     return rw_root(beyond_with, r, fmin(side[0].Q, side[1].Q), fmax(side[0].Q, side[1].Q),

@@ -28,6 +28,12 @@ static inline double rw_patch_half_width(rw_patch patch)
     return patch.right / 2 - patch.left / 2;
 }
 
+/* The left edge, or with a side the right one. */
+static inline double rw_patch_edge(rw_patch patch, int side)
+{
+    return side ? patch.right : patch.left;
+}
+
 static inline bool rw_patch_is_same(rw_patch a, rw_patch b)
 {
     return fabs(a.left - b.left) + fabs(a.right - b.right) == 0;

@@ -82,8 +82,8 @@ rw_frame rw_frame_like(const rw_frame *frame, double tolerance)
     return like;
 }
 
-/* A bend that is nearer to an end, over the distance of both, is there: rounding would move the
- * points between. */
+/* A bend this near to an end, over the distance of the two ends, counts as at the end: rounding
+ * would move the points between. */
 static const double AT_END = 1e-11;
 
 int rw_bends_between(const rw_frame *frame, double from, double to, double at[])

@@ -28,8 +28,8 @@ rw_frame rw_frame_of(rw_arcs arcs, double f, double tolerance);
 /* The same with another tolerance. */
 rw_frame rw_frame_like(const rw_frame *frame, double tolerance);
 
-/* Writes the bends between two places to `at`, in order, and returns how many; `at` has room for
- * all. */
+/* Writes the bends between two places to `at`, in order, but for those at an end, to rounding, and
+ * returns how many; `at` has room for all. */
 int rw_bends_between(const rw_frame *frame, double from, double to, double at[]);
 
 /* Writes to `at` the edges of a contact, some kinks, and the bends between, in order, and returns

@@ -17,8 +17,11 @@ enum { RW_MOST_STICK = 6, RW_MOST_FRONTS = 2 * RW_MOST_STICK };
 /* Slip zones and places that the contact has left, cut at kinks, bends and the edges before. */
 enum { RW_MOST_SEGMENTS = RW_MOST_STICK + 1 + 2 + RW_MOST_KINKS + RW_MOST_BENDS + 2 };
 
-/* Panels of half a segment. Points are taken by eights, of which a panel has one or two. */
-enum { RW_MOST_PANELS = 12, RW_FRONT_LANES = 8 };
+/* Panels of half a segment towards a front that another one is near: at most. */
+enum { RW_MOST_PANELS = 12 };
+
+/* Points are taken by eights; a panel has 8 or 16. */
+enum { RW_FRONT_LANES = 8 };
 
 /* A part of a slip zone, and where its points begin in the row of all. */
 typedef struct {

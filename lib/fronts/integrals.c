@@ -14,7 +14,8 @@
 enum { FEW_TERMS = 8 };
 
 /* Distances from a front, over the half-width, are at least AT_FRONT. A panel there is at least as
- * wide as NARROWEST, unless its segment is narrow itself: rounding does not move its points. */
+ * wide as NARROWEST, unless its segment is narrow itself or the next front is nearer: rounding does
+ * not move its points. */
 static const double AT_FRONT = 1e-15, NARROWEST = 1e-10;
 
 /* The weights of integrals from 0 to the nodes u of Gauss, and to 1. */
@@ -222,38 +223,22 @@ static void put_segment(rw_fronts *f, rw_segment *s)
  * beyond. */
 enum { AWAY = 2 };
 
-/* How far beyond an end of a segment the next place is where dt is not smooth. */
+/* How far beyond an end of a segment the next of n places is. */
+static double next_beyond(double end, int way, int n, const double at[])
+{
+    double next = HUGE_VAL;
+    for (int i = 0; i < n; i++)
+        if (way * (at[i] - end) > 0)
+            next = rw_smaller(next, fabs(at[i] - end));
+    return next;
+}
+
+/* The next place where dt is not smooth. */
 static double next_break(const rw_problem *p, double end, int way)
 {
     const double edge[] = {p->to.left, p->to.right, p->from.left, p->from.right};
-    double next = HUGE_VAL;
-    for (int i = 0; i < 4; i++)
-        if (way * (edge[i] - end) > 0)
-            next = rw_smaller(next, fabs(edge[i] - end));
-    for (int i = 0; i < p->old->kinks; i++)
-        if (way * (p->old->kink[i] - end) > 0)
-            next = rw_smaller(next, fabs(p->old->kink[i] - end));
-    return next;
-}
-
-/* The same of friction, whose slope is infinite at a kink of the profile. */
-static double next_bend(const rw_frame *frame, double end, int way)
-{
-    double next = HUGE_VAL;
-    for (int i = 0; i < frame->bends; i++)
-        if (way * (frame->bend[i] - end) > 0)
-            next = rw_smaller(next, fabs(frame->bend[i] - end));
-    return next;
-}
-
-/* How far beyond a front the next one is: at the other end of the zone that sticks there. */
-static double next_front(const rw_stuck *s, double front, int way)
-{
-    double next = HUGE_VAL;
-    for (int i = 0; i < 2 * s->count; i++)
-        if (way * (s->end[i] - front) > 0)
-            next = rw_smaller(next, fabs(s->end[i] - front));
-    return next;
+    return rw_smaller(next_beyond(end, way, 4, edge),
+                      next_beyond(end, way, p->old->kinks, p->old->kink));
 }
 
 /* Panels that shrink to a distance. */
@@ -268,7 +253,10 @@ static int panels_towards(const rw_problem *p, const rw_stuck *s, double end, in
 {
     const double front = nearest_end(s, end), other = next_break(p, end, way);
     if (front == 0) {
-        const double bend = next_bend(p->frame, end, way), next = next_front(s, end, way);
+        /* friction has an infinite slope at a kink of the profile; the next front is at the other
+         * end of the zone that sticks here */
+        const double bend = next_beyond(end, way, p->frame->bends, p->frame->bend),
+                     next = next_beyond(end, way, 2 * s->count, s->end);
         const double by_bend = bend < length ? fmin(AWAY, shrinking(bend, length) - 1) : 0,
                      by_front = next < length ? shrinking(next, length) - 1 : 0;
         const double least = fmin(RW_MOST_PANELS, fmax(by_bend, by_front));

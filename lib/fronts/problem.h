@@ -33,6 +33,12 @@ typedef struct {
     rw_zone zone[RW_MOST_ZONES];
 } rw_zones;
 
+/* The zone at the left edge, or with a side at the right one. */
+static inline rw_zone rw_zones_at_edge(const rw_zones *zones, int side)
+{
+    return zones->zone[side ? zones->count - 1 : 0];
+}
+
 /* Puts a zone before the i-th. Leaves it out where there is no room: of so many zones no fronts are
  * found. */
 void rw_zones_insert(rw_zones *zones, int i, rw_zone zone);

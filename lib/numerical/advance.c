@@ -111,12 +111,12 @@ static double part_of(double left, double part)
 
 static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, double length,
                              int effort, double *error);
-static bool advance_to_onset(load_work *j, int division, rw_scaled_loads to, double length,
-                             int effort, double onset);
+static bool advance_to_cut(load_work *j, int division, rw_scaled_loads to, double length,
+                           int effort, double cut);
 
-/* The part of a step, known as a whole or not, after which an edge that grows takes another course:
- * it comes to a kink, or slip begins there. */
-static double onset_in(load_work *j, const rw_numerical_state *whole)
+/* The part of a step after which an edge that grows takes another course: it comes to a kink, or
+ * slip begins there. 1 where it does not, and where the whole is not known. */
+static double cut_in(load_work *j, const rw_numerical_state *whole)
 {
     if (!is_known(whole) || j->work.frame->B != 0)
         return 1;
@@ -124,34 +124,34 @@ static double onset_in(load_work *j, const rw_numerical_state *whole)
     return passing < 1 ? passing : rw_onset_of_slip(&j->work, &j->next->now, whole);
 }
 
-/* Goes on over each moment at which slip begins at an edge. `length` becomes that of what is left,
- * which is tried as a whole; it may be the last attempt. False where there is no answer. */
-static bool pass_onsets(load_work *j, int division, rw_scaled_loads to, int effort, double *length,
-                        bool *is_last)
+/* Goes on over each moment at which an edge takes another course. `length` becomes that of what is
+ * left, which is tried as a whole; it may be the last attempt. False where there is no answer. */
+static bool pass_cuts(load_work *j, int division, rw_scaled_loads to, int effort, double *length,
+                      bool *is_last)
 {
     trial *t = &j->at[division];
     for (;;) {
         *is_last = division == DIVISIONS || *length <= SHORTEST || j->work.effort > effort;
         if (*is_last && !is_known(&t->whole))
             rw_implicit_step(&j->work, &j->next->now, to, NULL, true, &t->whole);
-        const double onset = *is_last ? 1 : onset_in(j, &t->whole);
-        if (onset == 1)
+        const double cut = *is_last ? 1 : cut_in(j, &t->whole);
+        if (cut == 1)
             return true;
-        if (!advance_to_onset(j, division, to, *length, effort, onset))
+        if (!advance_to_cut(j, division, to, *length, effort, cut))
             return false;
-        *length *= 1 - onset;
+        *length *= 1 - cut;
     }
 }
 
-/* Goes on to a load. It is cut where slip begins at an edge, and divided until the error of each
- * part is small, or the effort is spent. `length` is that of the load as a part of all. `error` on
+/* Goes on to a load. It is cut at such moments, and divided until the error of each part is small,
+ * or the effort is spent. `length` is that of the load as a part of all. `error` on
  * return: of the step, if it was one. */
 static bool advance(load_work *j, int division, rw_scaled_loads to, double length, int effort,
                     double *error)
 {
     double left = length;
     bool is_last;
-    if (!pass_onsets(j, division, to, effort, &left, &is_last))
+    if (!pass_cuts(j, division, to, effort, &left, &is_last))
         return false;
     const bool is_done =
         end_step(j, &j->at[division], to, is_last, error) ||
@@ -187,16 +187,16 @@ static bool advance_in_parts(load_work *j, int division, rw_scaled_loads to, dou
     return is_done;
 }
 
-/* Goes to the moment at which slip begins at an edge, and tries what is left as a whole. */
-static bool advance_to_onset(load_work *j, int division, rw_scaled_loads to, double length,
-                             int effort, double onset)
+/* Goes to such a moment, and tries what is left as a whole. */
+static bool advance_to_cut(load_work *j, int division, rw_scaled_loads to, double length,
+                           int effort, double cut)
 {
-    const rw_scaled_loads at = rw_part_of_line(j->next->now.at, to, onset);
+    const rw_scaled_loads at = rw_part_of_line(j->next->now.at, to, cut);
     const int half = j->work.effort + (effort - j->work.effort) / 2;
     double error;
     drop(&j->at[division].whole);
     rw_implicit_step(&j->work, &j->next->now, at, NULL, false, &j->at[division + 1].whole);
-    if (!advance(j, division + 1, at, length * onset, half, &error))
+    if (!advance(j, division + 1, at, length * cut, half, &error))
         return false;
     rw_implicit_step(&j->work, &j->next->now, to, NULL, false, &j->at[division].whole);
     return true;

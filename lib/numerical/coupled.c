@@ -242,7 +242,7 @@ static bool pass(coupled_step *s, const rw_friction *after, const rw_zones *gues
         w->is_short = true;
         return false;
     }
-    w->effort += RW_EFFORT_OF_PASS * (int)(after->traction.count * b.old.traction.count);
+    rw_spend(w, RW_EFFORT_OF_PASS * (double)(after->traction.count * b.old.traction.count));
     set_rates(w, s->from, s->to, after->contact);
     rw_problem_init(&p, w->frame, &s->before, after, &b.old,
                     s->to.shear - rw_traction_total(&b.old.traction),

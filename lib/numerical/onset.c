@@ -5,35 +5,27 @@
 
 #include "numerical/rates.h"
 
-/* An edge grows if it moves by more than this part of the half-width. */
-static const double LEAST_GROWTH = 1e-6;
-
 /* Edges that stick at first, until slip begins at one of them. */
 typedef struct {
     rw_work *work;
     const rw_numerical_state *from, *there;
     rw_zones sticking; /* the zones at the end, but these edges stick */
-    rw_zones begun;    /* the same of those at the beginning */
+    rw_zones at_first; /* the zones at the beginning, but these edges stick */
     bool begins[2];    /* at the left, right edge */
-    double excess[2];  /* |D| - 1 there at the start */
+    double beyond[2];  /* |D| - 1 there at the start */
 } onset;
-
-static int label_at_edge(const rw_zones *zones, int side)
-{
-    return zones->zone[side ? zones->count - 1 : 0].label;
-}
 
 /* The zones, but an edge sticks. */
 static rw_zones sticking_at(const rw_zones *zones, int side)
 {
     rw_zones sticking = *zones;
-    const rw_zone last = zones->zone[side ? zones->count - 1 : 0];
+    const rw_zone last = rw_zones_at_edge(zones, side);
     rw_pattern_insert(&sticking, &(rw_zones){1, {{0, last.left, last.right}}}, 0);
     return sticking;
 }
 
 /* The largest |D| of these edges at a moment of the step, less 1; > 0 where one slips already. */
-static double excess_at(const onset *o, double part)
+static double beyond_at(const onset *o, double part)
 {
     const rw_scaled_loads from = o->from->at, to = o->there->at;
     const rw_scaled_loads at = rw_part_of_line(from, to, part);
@@ -42,20 +34,20 @@ static double excess_at(const onset *o, double part)
     rw_problem rates;
     double D[2], most = -1;
     if (!rw_step_zones(o->work, o->from, at, &o->sticking, false, &contact, &zones) &&
-        !rw_step_zones(o->work, o->from, at, &o->begun, false, &contact, &zones))
+        !rw_step_zones(o->work, o->from, at, &o->at_first, false, &contact, &zones))
         return NAN;
     rw_step_rates(o->work, from, to, contact, &rates);
     rw_rates_free_ratio(&o->work->fronts, &rates, &zones, D);
     for (int side = 0; side < 2; side++)
         if (o->begins[side] && isnan(D[side]))
-            return label_at_edge(&zones, side) != 0 ? 1 : NAN;
+            return rw_zones_at_edge(&zones, side).label != 0 ? 1 : NAN;
         else if (o->begins[side])
             most = fmax(most, fabs(D[side]) - 1);
     return most;
 }
 
 /* |D| - 1 of an edge at the beginning, and at the end, if it sticks. */
-static double excess_at_start(const onset *o, int side)
+static double beyond_at_start(const onset *o, int side)
 {
     rw_problem rates;
     double D[2];
@@ -67,7 +59,7 @@ static double excess_at_start(const onset *o, int side)
     return fabs(D[side]) - 1;
 }
 
-static double excess_at_end(const onset *o, int side)
+static double beyond_at_end(const onset *o, int side)
 {
     rw_problem rates;
     double D[2];
@@ -80,20 +72,20 @@ static double excess_at_end(const onset *o, int side)
 static double find(const onset *o)
 {
     double low = 0, high = 1, at_high = 1;
-    double at_low = fmax(o->begins[0] ? o->excess[0] : -1, o->begins[1] ? o->excess[1] : -1);
+    double at_low = fmax(o->begins[0] ? o->beyond[0] : -1, o->begins[1] ? o->beyond[1] : -1);
     for (int turn = 0; turn < RW_ONSET_TURNS && high - low > RW_ONSET_EXACT; turn++) {
         const double guess = turn == 0 ? 0.5 : low + at_low / (at_low - at_high) * (high - low);
         const double part = fmax(low + 0.1 * (high - low), fmin(high - 0.1 * (high - low), guess));
-        const double excess = excess_at(o, part);
-        if (isnan(excess))
+        const double beyond = beyond_at(o, part);
+        if (isnan(beyond))
             return 1;
-        if (excess > -RW_ONSET_CLOSE) {
+        if (beyond > -RW_ONSET_CLOSE) {
             high = part;
-            at_high = excess;
+            at_high = beyond;
             at_low /= turn > 0 ? 2 : 1;
         } else {
             low = part;
-            at_low = excess;
+            at_low = beyond;
             at_high /= turn > 0 ? 2 : 1;
         }
     }
@@ -136,34 +128,28 @@ static double end_of_slip(rw_work *w, const rw_numerical_state *from,
 
 /* ---- Both ---- */
 
-static bool grows_at(const rw_numerical_state *from, const rw_numerical_state *there, int side)
-{
-    const double growth = side ? there->contact.right - from->contact.right
-                               : from->contact.left - there->contact.left;
-    return growth > LEAST_GROWTH * rw_patch_half_width(there->contact);
-}
-
 /* Notes an edge at which slip begins within the step: it slips at the end, in another way than
  * before, or it should. */
 static void look_at_edge(onset *o, int side)
 {
-    const int before = label_at_edge(&o->from->shear.zones, side),
-              after = label_at_edge(&o->there->shear.zones, side);
-    const bool grows = grows_at(o->from, o->there, side);
-    const bool slips = grows && (after != 0 ? after != before : excess_at_end(o, side) > 0);
-    o->excess[side] = slips ? excess_at_start(o, side) : NAN;
-    o->begins[side] = isless(o->excess[side], -RW_ONSET_CLOSE);
+    const int before = rw_zones_at_edge(&o->from->shear.zones, side).label,
+              after = rw_zones_at_edge(&o->there->shear.zones, side).label;
+    const bool grows = rw_edge_grows(o->from, o->there, side);
+    const bool slips =
+        grows && (after != 0 ? after != before : isgreater(beyond_at_end(o, side), 0));
+    o->beyond[side] = slips ? beyond_at_start(o, side) : NAN;
+    o->begins[side] = isless(o->beyond[side], -RW_ONSET_CLOSE);
 }
 
 /* The first onset at the edges that are noted; 1 where there is none, or none is found. */
 static double first_of(onset *o)
 {
     o->sticking = o->there->shear.zones;
-    o->begun = o->from->shear.zones;
+    o->at_first = o->from->shear.zones;
     for (int side = 0; side < 2; side++)
         if (o->begins[side]) {
             o->sticking = sticking_at(&o->sticking, side);
-            o->begun = sticking_at(&o->begun, side);
+            o->at_first = sticking_at(&o->at_first, side);
         }
     return o->begins[0] || o->begins[1] ? find(o) : 1;
 }
@@ -171,13 +157,14 @@ static double first_of(onset *o)
 double rw_onset_of_slip(rw_work *w, const rw_numerical_state *from, const rw_numerical_state *there)
 {
     const double allowed = RW_ALLOWED * w->frame->tolerance;
-    const bool grows = grows_at(from, there, 0) || grows_at(from, there, 1);
+    const bool grows = rw_edge_grows(from, there, 0) || rw_edge_grows(from, there, 1);
     onset o = {.work = w, .from = from, .there = there};
     for (int side = 0; side < 2 && grows; side++)
         look_at_edge(&o, side);
     double first = first_of(&o);
     if (first <= RW_ONSET_NEAREST && o.begins[0] && o.begins[1]) {
-        o.begins[o.excess[0] < o.excess[1]] = false; /* at once; the other one may be later */
+        /* slip begins at once at the edge that is nearer to it: the other edge alone */
+        o.begins[o.beyond[0] < o.beyond[1]] = false;
         first = first_of(&o);
     }
     if (grows && first == 1 && there->start_error <= allowed && there->end_error > allowed)

@@ -8,7 +8,8 @@
 #include "numerical/step.h"
 
 /* The part of the step from the one state to the other at which that is, 0 < part < 1; 1 where no
- * edge that sticks passes a kink. */
+ * such edge comes to a kink, or it does so near an end of the step. An edge that slips the same way
+ * all the time does not count. */
 double rw_passing_of_kink(const rw_work *work, const rw_numerical_state *from,
                           const rw_numerical_state *there);
 

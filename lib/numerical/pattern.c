@@ -62,15 +62,15 @@ static int edge_sign(const rw_problem *p, int side)
     return from_load - (side ? 1 : -1) * from_stretch > 0 ? 1 : -1;
 }
 
-/* Zones at an edge of less than so many angles are not what the grid has. */
+/* The grid does not resolve a zone at an edge that is narrower than so many angles. */
 enum { NARROW = 6 };
 
-/* One zone as wide as an angle or so slips, for a flipped sign the other way. A narrow one that
- * slips may slip the other way too: where slip turns round. false where there is no such
- * variant. */
+/* Makes a zone of slip, about an angle wide, at an edge that sticks; `flipped` turns its sign. A
+ * narrow zone that slips already may be flipped too: slip may have turned round. false where there
+ * is no such variant. */
 static bool slip_at_edge(const rw_problem *p, rw_zones *z, int side, bool flipped, double angle)
 {
-    const rw_zone last = z->zone[side ? z->count - 1 : 0];
+    const rw_zone last = rw_zones_at_edge(z, side);
     const bool is_narrow = width(last) < NARROW * angle;
     if (last.label != 0) {
         z->zone[side ? z->count - 1 : 0].label *= flipped && is_narrow ? -1 : 1;
@@ -86,7 +86,7 @@ static bool slip_at_edge(const rw_problem *p, rw_zones *z, int side, bool flippe
 /* Whether a growing edge sticks at first trial: its slip is only a few angles wide. */
 static bool seems_stuck(const rw_problem *p, const rw_zones *z, int side, double angle)
 {
-    const rw_zone last = side ? z->zone[z->count - 1] : z->zone[0];
+    const rw_zone last = rw_zones_at_edge(z, side);
     return p->grows[side] &&
            (last.label == 0 || width(last) < NARROW * angle + 3 * p->growth[side]);
 }

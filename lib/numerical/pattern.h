@@ -11,8 +11,9 @@
 void rw_pattern_clean(rw_zones *zones, double least);
 
 /* The variants at the two edges, numbered from 0 on: a narrow zone of slip, one way or the other,
- * where the grid saw none; stick up to the edge of a growing contact. false where the variant does
- * not exist, number < RW_VARIANTS. `angle` is the width of an angle of the grid at the edge. */
+ * where the grid saw none or a narrow one; stick up to the edge of a growing contact. false where
+ * the variant does not exist, number < RW_VARIANTS. `angle` is the width of an angle of the grid at
+ * the edge. */
 enum { RW_VARIANTS = 16 };
 bool rw_pattern_variant(const rw_problem *problem, const rw_zones *zones, double angle, int number,
                         rw_zones *variant);

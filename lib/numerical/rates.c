@@ -82,7 +82,7 @@ static double edge_rate(const rw_problem *p, int side)
 /* Whether the zones stick up to the edge. */
 static bool sticks_at_edge(const rw_zones *zones, int side)
 {
-    return zones->zone[side ? zones->count - 1 : 0].label == 0;
+    return rw_zones_at_edge(zones, side).label == 0;
 }
 
 /* The ratio has the sign of the rates. */
@@ -357,35 +357,37 @@ double rw_rates_excess_at_start(rw_fronts *f, const rw_problem *p, const rw_zone
     return most;
 }
 
-/* The largest excess at a place, if it begins with a rate and is quadratic in time: it is -room at
- * the end of the step, or 0 when the contact leaves the place. */
-static double lingering_excess(const rw_problem *p, double x, double rate, rw_patch contact,
+/* The largest excess of a place whose excess is a parabola in time: 0 with this rate at the
+ * beginning, -room at the end; or 0 again when the contact leaves the place. */
+static double lingering_excess(const rw_problem *p, double x, double rate, rw_patch after,
                                double room)
 {
-    const double edge = x < contact.left ? p->to.left : p->to.right,
-                 to = x < contact.left ? contact.left : contact.right;
-    return rw_patch_has(contact, x) ? rate * rate / (4 * (rate + fmax(0, room)))
-                                    : rate / 4 * (edge - x) / (edge - to);
+    const int side = x > after.right;
+    const double edge_before = rw_patch_edge(p->to, side), edge_after = rw_patch_edge(after, side);
+    return rw_patch_has(after, x) ? rate * rate / (4 * (rate + fmax(0, room)))
+                                  : rate / 4 * (edge_before - x) / (edge_before - edge_after);
 }
 
+/* Next to an end of the part the rate may be like 1/sqrt. Its largest value then depends on where
+ * it is read: too large an error is told rather than too small a one. */
 static double lingering_excess_in(rw_fronts *f, const rw_problem *p, const rw_zones *begun,
-                                  rw_zone part, rw_patch contact, const rw_traction *end)
+                                  rw_zone part, rw_patch after, const rw_traction *traction)
 {
     double x[RW_RATE_POINTS], step[RW_RATE_POINTS], rate[RW_RATE_POINTS], F[RW_RATE_POINTS];
     double most = 0;
     if (!excess_in(f, p, begun, part, x, step, rate))
         return 0;
-    rw_exact_frictions(p->frame, contact, RW_RATE_POINTS, x, F);
+    rw_exact_frictions(p->frame, after, RW_RATE_POINTS, x, F);
     for (int i = 0; i < RW_RATE_POINTS; i++)
         if (rate[i] > 0)
-            most = fmax(most, lingering_excess(p, x[i], rate[i], contact,
-                                               F[i] - part.label * rw_traction_at(end, x[i])));
+            most = fmax(most, lingering_excess(p, x[i], rate[i], after,
+                                               F[i] - part.label * rw_traction_at(traction, x[i])));
     return most;
 }
 
 double rw_rates_lingering_excess(rw_fronts *f, const rw_problem *p, const rw_zones *old,
-                                 const rw_zones *after, double least, rw_patch contact,
-                                 const rw_traction *end)
+                                 const rw_zones *after, double least, rw_patch contact_after,
+                                 const rw_traction *traction_after)
 {
     rw_zones begun = common_slip(old, after);
     rw_zone parts[2 * RW_MOST_ZONES];
@@ -394,7 +396,8 @@ double rw_rates_lingering_excess(rw_fronts *f, const rw_problem *p, const rw_zon
     const int count = stopped_parts(old, &begun, least, parts);
     double most = 0;
     for (int i = 0; i < count; i++)
-        most = fmax(most, lingering_excess_in(f, p, &begun, parts[i], contact, end));
+        most =
+            fmax(most, lingering_excess_in(f, p, &begun, parts[i], contact_after, traction_after));
     return most;
 }
 

@@ -38,11 +38,11 @@ double rw_rates_excess_at_start(rw_fronts *fronts, const rw_problem *rates, cons
                                 const rw_zones *after, double least);
 
 /* Slip that lingers: the largest traction beyond friction within the step, of what slips before it
- * and sticks after it, if it sticks from the beginning. `contact` and `end`: the contact and the
- * traction after the step. */
+ * and sticks after it, if it sticks from the beginning. 0 where it is not known. `contact_after`,
+ * `traction_after`: those at the end of the step. */
 double rw_rates_lingering_excess(rw_fronts *fronts, const rw_problem *rates, const rw_zones *old,
-                                 const rw_zones *after, double least, rw_patch contact,
-                                 const rw_traction *end);
+                                 const rw_zones *after, double least, rw_patch contact_after,
+                                 const rw_traction *traction_after);
 
 /* The power of friction in zones that slip, in energy per step. NaN where it is not known. */
 double rw_rates_power(rw_fronts *fronts, const rw_problem *rates, const rw_zones *zones);

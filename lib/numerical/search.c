@@ -56,7 +56,7 @@ static void add_effort(rw_work *w, int residuals)
 {
     w->is_short = w->is_short || w->fronts.is_short;
     w->search -= residuals;
-    w->effort += residuals * w->fronts.sticks * (int)w->fronts.count;
+    rw_spend(w, (double)residuals * w->fronts.sticks * (double)w->fronts.count);
 }
 
 static bool newton(rw_work *w, double residual)
@@ -149,7 +149,7 @@ static bool noted(rw_work *w, bool is_done, const rw_outcome *outcome)
 {
     w->is_short = w->is_short || outcome->is_short;
     if (is_done)
-        w->effort += (int)(outcome->state.traction.count * w->fronts.count);
+        rw_spend(w, (double)(outcome->state.traction.count * w->fronts.count));
     return is_done;
 }
 
@@ -299,7 +299,7 @@ bool rw_search(rw_work *w, const rw_problem *p, const rw_zones *guess, bool coar
         rw_zones zones;
         rw_outcome outcome;
         const bool is_solved = rw_grid_solve(grid, p, &layers);
-        w->effort += n * n * n / 250 + n * n * grid->turns / 50; /* as measured */
+        rw_spend(w, n * n * n / 250 + n * n * grid->turns / 50); /* as measured */
         if (!is_solved)
             continue;
         rw_grid_zones(grid, p, &zones);

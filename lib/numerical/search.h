@@ -23,6 +23,14 @@ typedef struct {
     bool is_short; /* memory was short */
 } rw_work;
 
+/* Notes effort; no more than RW_ALL_EFFORT in all, so that a sum of two is an int. */
+enum { RW_ALL_EFFORT = 1 << 30 };
+
+static inline void rw_spend(rw_work *work, double effort)
+{
+    work->effort = (int)fmin(work->effort + effort, RW_ALL_EFFORT);
+}
+
 void rw_work_init(rw_work *work, const rw_frame *frame, int most_effort);
 void rw_work_destroy(rw_work *work);
 

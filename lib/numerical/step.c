@@ -19,6 +19,13 @@ double rw_peak_of(const rw_frame *frame, const rw_numerical_state *s)
     return s->peak > 0 ? s->peak : rw_peak_friction(frame, s->contact);
 }
 
+bool rw_edge_grows(const rw_numerical_state *from, const rw_numerical_state *there, int side)
+{
+    static const double LEAST = 1e-6;
+    const double way = rw_patch_edge(there->contact, side) - rw_patch_edge(from->contact, side);
+    return (side ? way : -way) > LEAST * rw_patch_half_width(there->contact);
+}
+
 rw_patch rw_patch_of_loads(const rw_frame *frame, rw_scaled_loads at)
 {
     return frame->is_held ? rw_arcs_patch_of_tilt(&frame->arcs, at.P, at.turn)
@@ -189,8 +196,9 @@ bool rw_step_zones(rw_work *w, const rw_numerical_state *from, rw_scaled_loads t
     return rw_search_zones(w, &p, guess, by_grid, zones);
 }
 
-/* Slip that lingers: it goes on at first and has ended in all places at the end of a step. The step
- * does not see it, nor do its halves if it has ended half-way. */
+/* Slip that lingers: a place slips on for a while, and sticks at the end of the step, which has it
+ * sticking from the beginning. The step does not see it, nor do its halves if it has ended
+ * half-way. */
 static double lingering_error(rw_work *w, const rw_numerical_state *from,
                               const rw_numerical_state *there)
 {
@@ -218,18 +226,18 @@ static bool is_nested(const rw_zones *inner, const rw_zones *outer, double slack
     return true;
 }
 
-bool rw_step_goes_on(rw_work *w, const rw_numerical_state *begun, const rw_numerical_state *from,
+bool rw_step_goes_on(rw_work *w, const rw_numerical_state *start, const rw_numerical_state *from,
                      rw_numerical_state *there)
 {
-    const double lingering = lingering_error(w, begun, from);
     rw_problem p;
     rw_outcome outcome;
     if (w->frame->B != 0) /* the pressure changes */
         return false;
-    if (!set_problem(w, from, there->at, there->contact, &p))
+    if (!set_problem(w, from, there->at, there->contact, &p) || !p.is_still)
         return false;
+    const double lingering = lingering_error(w, start, from);
     rw_fronts_forget(&w->fronts);
-    if (!p.is_still || fmax(lingering, fmax(from->rate_error, there->rate_error)) > p.allowed ||
+    if (fmax(lingering, fmax(from->rate_error, there->rate_error)) > p.allowed ||
         !is_nested(&there->shear.zones, &from->shear.zones, p.allowed * p.half) ||
         !rw_fronts_begin(&w->fronts, &p, &there->shear.zones, (double[2]){NAN, NAN}))
         return false;
@@ -306,14 +314,13 @@ static double difference(double scale, rw_patch before, const rw_numerical_state
     return most;
 }
 
-/* Whether the error at an edge that grows and sticks counts. Where slip has just ended there, the
- * ring that is new in contact may lie all next to the end of a slip zone, and is left out. */
-static bool has_ring(const rw_numerical_state *from, const rw_numerical_state *there, int side)
+/* Whether the ring of new contact at an edge is compared. Where slip has just ended there the whole
+ * ring may be next to a front, where tractions are not compared. */
+static bool ring_counts(const rw_numerical_state *from, const rw_numerical_state *there, int side)
 {
-    const rw_zones *zones = &from->shear.zones;
-    const double old = side ? from->contact.right : from->contact.left;
-    const double edge = side ? there->contact.right : there->contact.left;
-    const bool slipped = zones->zone[side ? zones->count - 1 : 0].label != 0;
+    const double old = rw_patch_edge(from->contact, side),
+                 edge = rw_patch_edge(there->contact, side);
+    const bool slipped = rw_zones_at_edge(&from->shear.zones, side).label != 0;
     return rw_patch_has(there->contact, old) &&
            !(slipped && fabs(edge - old) < RW_AT_FRONT * rw_patch_half_width(there->contact));
 }
@@ -327,11 +334,11 @@ static double growth_error(rw_work *w, const rw_numerical_state *from,
     const rw_patch before = from->contact;
     double most = 0;
     for (int side = 0; side < 2; side++) {
-        const double old = side ? before.right : before.left;
+        const double old = rw_patch_edge(before, side);
         const rw_friction *friction = isnan(whole->D[side] + half->D[side] + both->D[side])
                                           ? NULL
                                           : friction_of(w, half->contact);
-        if (!friction || !has_ring(from, whole, side))
+        if (!friction || !ring_counts(from, whole, side))
             continue;
         const double D = rw_layers_ratio(w->frame, friction, whole->contact, &whole->layers, side);
         most =
@@ -365,9 +372,9 @@ static double edge_error(rw_work *w, const rw_numerical_state *from,
     rw_step_rates(w, from->at, there->at, there->contact, &rates);
     rw_rates_ratio(&w->fronts, &rates, &there->shear.zones, D);
     for (int side = 0; side < 2; side++) {
-        const double old = side ? from->contact.right : from->contact.left;
-        const double edge = side ? there->contact.right : there->contact.left;
-        if (!isnan(D[side] + there->D[side]) && has_ring(from, there, side))
+        const double old = rw_patch_edge(from->contact, side),
+                     edge = rw_patch_edge(there->contact, side);
+        if (!isnan(D[side] + there->D[side]) && ring_counts(from, there, side))
             most = fmax(most, fabs(ratio_at_edge(w->frame, there, edge, old) - D[side]) *
                                   rw_exact_friction(w->frame, there->contact, old));
     }
@@ -382,6 +389,7 @@ double rw_compare(rw_work *w, const rw_numerical_state *from, const rw_numerical
     const double scale = rw_peak_of(frame, whole);
     const double unit = scale * rw_patch_half_width(whole->contact);
     const double energy = (both->energy - whole->energy) / (unit * unit);
+    /* seldom: slip that lingers in a half does so in the whole too */
     const double lingering = lingering_error(w, from, whole) > 0
                                  ? lingering_error(w, from, half) + lingering_error(w, half, both)
                                  : 0;

@@ -52,6 +52,9 @@ typedef struct {
     double apart[RW_PLACES]; /* the difference of the step in halves from the whole, by place */
 } rw_numerical_state;
 
+/* Whether an edge grows in a step, by more than a millionth of the half-width. */
+bool rw_edge_grows(const rw_numerical_state *from, const rw_numerical_state *there, int side);
+
 /* f times the peak pressure of a state. */
 double rw_peak_of(const rw_frame *frame, const rw_numerical_state *state);
 
@@ -79,10 +82,10 @@ void rw_step_rates(const rw_work *work, rw_scaled_loads from, rw_scaled_loads to
 bool rw_step_zones(rw_work *work, const rw_numerical_state *from, rw_scaled_loads to,
                    const rw_zones *guess, bool by_grid, rw_patch *contact, rw_zones *zones);
 
-/* `from` and `there` were reached from `begun`, half-way and as a whole, under constant P and M.
+/* `from` and `there` were reached from `start`, half-way and as a whole, under constant P and M.
  * Whether the step from the one to the other has the end `there` too: then the whole is exact, and
  * its energy is set to the sum of both halves. */
-bool rw_step_goes_on(rw_work *work, const rw_numerical_state *begun, const rw_numerical_state *from,
+bool rw_step_goes_on(rw_work *work, const rw_numerical_state *start, const rw_numerical_state *from,
                      rw_numerical_state *there);
 
 /* Compares both halves of a step, the first of which ends at `half`, with the step as a whole. The

@@ -208,15 +208,15 @@ static void shorten(const fit *how, rw_element *e)
         e->coefficient[k] = 0;
 }
 
-/* A place near x, from < x < to, at which elements meet, of those on a grid. A fit jumps there a
- * little. Where the next one, whose breaks have moved a little, meets at the same place, it has the
- * same jump. If it met beside it, no node would be between both places: each element would go on
- * beyond the old one, and in a hundred fits the jump would grow a thousandfold. Places on the grid
- * are not round, as those are that are asked for: slopes lose digits where elements meet. */
+/* The place of a grid next to x, from < x < to: elements meet there. A fit jumps a little where
+ * they meet. A next fit, whose breaks have moved a little, meets at the same place and has the same
+ * jump. If it met beside it, no node would lie between the two places: each element would go on
+ * beyond the old one, and in a hundred fits the jump would grow a thousandfold. The grid is not
+ * round: users ask for round places, and slopes lose digits where elements meet. */
 static double meeting_place(double x, double from, double to)
 {
     static const double GRAIN = 0.6180339887;
-    int exponent;
+    int exponent = 0;
     frexp(fmin(fabs(x - from), fabs(to - x)) / 32, &exponent);
     const double grain = ldexp(GRAIN, exponent);
     return grain * round(x / grain);

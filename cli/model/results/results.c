@@ -310,8 +310,8 @@ static bool compute(const contact_case *setup, double b, results *answer, compla
         status = results_of_sliding(setup, row);
     if (status == RWEDGE_ENOCONV && status == setup->status) {
         const load to = {.P = setup->P, .M = setup->M, .Q = setup->Q, .sigma = setup->sigma};
-        return complain(why, "the loads: %s",
-                        loads_fault(status, to, setup->f, setup->contact).why.text);
+        const load_fault fault = loads_fault(status, to, setup->f, setup->contact);
+        return complain(why, "the loads: %s", fault.why.text);
     }
     if (status != RWEDGE_OK)
         return complain(why, "left: %s",

@@ -33,7 +33,7 @@ KNOWN = {"name", "source", "units", "nu", "dK_th", "ds0", "paris_C", "paris_m", 
 
 def _numbered(criterion: str, among: Mapping[str, int]) -> int:
     """The number of a name, also as the tool's options have it: "fatemi-socie"."""
-    name = criterion.replace("-", "_")
+    name = str(criterion).replace("-", "_")
     if name not in among:
         raise Error(f"criterion = {criterion!r}: must be one of {', '.join(among)}", EDOMAIN)
     return among[name]

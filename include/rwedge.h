@@ -734,8 +734,8 @@ RWEDGE_API double rwedge_contact_tolerance(const rwedge_contact *contact);
  * grows with the loads that the tractions still depend on, and may pass the tolerance. The estimate
  * leaves out places nearer than a hundredth of the half-width to an edge of a slip zone, present or
  * past, even within a load: q rises there like a root. At other places q erred by less than the
- * estimate in 99 of 100 random loads of P, M, Q and sigma, of 10,000 on four pads, and in the
- * others by up to twice as much. The worst that is known is 7 times, in one of 20,000.          new
+ * estimate in 99 of 100 random loads of P, M, Q and sigma, of 16,000 on four pads. In most of the
+ * others it erred by up to 2.5 times as much, in one by 5 times. The worst known is 7 times.    new
  * NaN for NULL. */
 RWEDGE_API double rwedge_contact_error(const rwedge_contact *contact);
 

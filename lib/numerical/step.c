@@ -389,7 +389,7 @@ double rw_compare(rw_work *w, const rw_numerical_state *from, const rw_numerical
     const double scale = rw_peak_of(frame, whole);
     const double unit = scale * rw_patch_half_width(whole->contact);
     const double energy = (both->energy - whole->energy) / (unit * unit);
-    /* seldom: slip that lingers in a half does so in the whole too */
+    /* the halves are asked where it lingers in the whole: that is seldom */
     const double lingering = lingering_error(w, from, whole) > 0
                                  ? lingering_error(w, from, half) + lingering_error(w, half, both)
                                  : 0;
